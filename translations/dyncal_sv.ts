@@ -264,6 +264,21 @@ wanted U</source>
     </message>
 </context>
 <context>
+    <name>CapabilityWords</name>
+    <message>
+        <source>, from %1 to %2</source>
+        <translation>, från %1 till %2</translation>
+    </message>
+    <message>
+        <source>, from %1</source>
+        <translation>, från %1</translation>
+    </message>
+    <message>
+        <source>%1: U ≥ %2%3</source>
+        <translation>%1: U ≥ %2%3</translation>
+    </message>
+</context>
+<context>
     <name>CaptureText</name>
     <message>
         <source>Low</source>
@@ -382,6 +397,93 @@ wanted U</source>
     <message>
         <source>%1: %2</source>
         <translation>%1: %2</translation>
+    </message>
+</context>
+<context>
+    <name>ComparisonWords</name>
+    <message>
+        <source>At none of %1 frequencies alone is Eₙ beyond ±1.</source>
+        <translation>Vid ingen av %1 frekvenser är Eₙ för sig utanför ±1.</translation>
+    </message>
+    <message>
+        <source>At %1 of %2 frequencies, between %3 and %4, Eₙ alone is beyond ±1.</source>
+        <translation>Vid %1 av %2 frekvenser, mellan %3 och %4, är Eₙ för sig utanför ±1.</translation>
+    </message>
+    <message>
+        <source>Step and reference transducer contradict each other: on the mean S(f) differs by %1, U of the difference %2 (k = 2), Eₙ = %3.</source>
+        <translation>Steg och referensgivare motsäger varandra: i medeltal skiljer sig S(f) med %1, skillnadens U är %2 (k = 2), Eₙ = %3.</translation>
+    </message>
+    <message>
+        <source>Step and reference transducer agree: on the mean S(f) differs by %1, U of the difference %2 (k = 2), Eₙ = %3.</source>
+        <translation>Steg och referensgivare stämmer överens: i medeltal skiljer sig S(f) med %1, skillnadens U är %2 (k = 2), Eₙ = %3.</translation>
+    </message>
+    <message>
+        <source>On the page Checks other ways contradict each other, too: begin there.</source>
+        <translation>På sidan Kontroller motsäger även andra vägar varandra: börja där.</translation>
+    </message>
+    <message>
+        <source>On the page Checks nothing contradicts the step: begin with the transducer.</source>
+        <translation>På sidan Kontroller motsäger inget steget: börja med referensgivaren.</translation>
+    </message>
+    <message>
+        <source>Look at the reference transducer: number and date of its certificate, its unit, the gain of its chain, its mounting. A factor such as 1.5, 6.9 or 1000 is a gain or a unit. Then at the step: gas and humidity, T1, distances and delays of the arrival sensors (page Reference step). %1 Correct what is wrong; a caution that stays needs a reason before the certificate can be issued.</source>
+        <translation>Granska referensgivaren: certifikatets nummer och datum, dess enhet, mätkedjans förstärkning, monteringen. En faktor som 1,5, 6,9 eller 1000 är en förstärkning eller en enhet. Sedan steget: gas och fuktighet, T1, ankomstgivarnas avstånd och fördröjningar (sidan Referenssteg). %1 Rätta det som är fel; en varning som står kvar behöver en motivering innan kalibreringsbeviset kan utfärdas.</translation>
+    </message>
+    <message>
+        <source>The mean agrees, single frequencies do not: look there at the certificate&apos;s rows, at a resonance or the mounting of one of the two, at the delay between them, and at disturbances in either record. State S(f) only where both agree, or say why they differ.</source>
+        <translation>Medelvärdet stämmer, enstaka frekvenser gör det inte: granska där certifikatets rader, en resonans eller monteringen hos någon av de två, fördröjningen mellan dem och störningar i endera registreringen. Ange S(f) bara där båda stämmer överens, eller säg varför de skiljer sig.</translation>
+    </message>
+    <message>
+        <source>mean</source>
+        <translation>medel</translation>
+    </message>
+    <message>
+        <source>Frequency</source>
+        <translation>Frekvens</translation>
+    </message>
+    <message>
+        <source>Against the
+transducer</source>
+        <translation>Mot
+referensgivaren</translation>
+    </message>
+    <message>
+        <source>U</source>
+        <translation>U</translation>
+    </message>
+    <message>
+        <source>Against
+the step</source>
+        <translation>Mot
+steget</translation>
+    </message>
+    <message>
+        <source>Difference</source>
+        <translation>Skillnad</translation>
+    </message>
+    <message>
+        <source>Eₙ</source>
+        <translation>Eₙ</translation>
+    </message>
+    <message>
+        <source>Table</source>
+        <translation>Tabell</translation>
+    </message>
+    <message>
+        <source>Certificate %1</source>
+        <translation>Certifikat %1</translation>
+    </message>
+    <message>
+        <source>%1, from %2 to %3; at %2: %4 (k = 1).</source>
+        <translation>%1, från %2 till %3; vid %2: %4 (k = 1).</translation>
+    </message>
+    <message>
+        <source>No comparison is asked for. Where a transducer of known sensitivity was recorded beside the sensor, say what it is, then switch the comparison on.</source>
+        <translation>Ingen jämförelse är begärd. Om en givare med känd känslighet registrerades bredvid givaren, ange vad den är och slå sedan på jämförelsen.</translation>
+    </message>
+    <message>
+        <source>S(f) against the reference transducer stands alone: the pressure step, or one of the two, has no complete uncertainty to compare by.</source>
+        <translation>S(f) mot referensgivaren står ensamt: trycksteget, eller ett av de två, har ingen fullständig osäkerhet att jämföra med.</translation>
     </message>
 </context>
 <context>
@@ -821,6 +923,138 @@ wanted U</source>
     <message>
         <source>Coverage factor of the wanted U</source>
         <translation>Täckningsfaktor för det önskade U</translation>
+    </message>
+    <message>
+        <source>Compute S(f) against the reference transducer too, and compare it with that against the step</source>
+        <translation>Beräkna även S(f) mot referensgivaren och jämför med det mot steget</translation>
+    </message>
+    <message>
+        <source>What the stated S(f) is divided by; the comparison is made in either case</source>
+        <translation>Vad det angivna S(f) är dividerat med; jämförelsen görs i båda fallen</translation>
+    </message>
+    <message>
+        <source>Channel that recorded the reference transducer</source>
+        <translation>Kanal som registrerade referensgivaren</translation>
+    </message>
+    <message>
+        <source>Unit of the sensitivity in its file or model: that of its channel over Pa</source>
+        <translation>Känslighetens enhet i fil eller modell: kanalens enhet per Pa</translation>
+    </message>
+    <message>
+        <source>A table (CSV) or a digital calibration certificate (XML) with its sensitivity over frequency</source>
+        <translation>En tabell (CSV) eller ett digitalt kalibreringsbevis (XML) med dess känslighet över frekvens</translation>
+    </message>
+    <message>
+        <source>No longer use this file; the comparison is switched off</source>
+        <translation>Använd inte längre filen; jämförelsen slås av</translation>
+    </message>
+    <message>
+        <source>Which list of the certificate is meant, by its id</source>
+        <translation>Vilken lista i certifikatet som avses, med dess id</translation>
+    </message>
+    <message>
+        <source>Sensitivity at low frequency</source>
+        <translation>Känslighet vid låg frekvens</translation>
+    </message>
+    <message>
+        <source>Standard uncertainty of the sensitivity, in its unit</source>
+        <translation>Känslighetens standardosäkerhet, i dess enhet</translation>
+    </message>
+    <message>
+        <source>Natural frequency of the reference transducer</source>
+        <translation>Referensgivarens egenfrekvens</translation>
+    </message>
+    <message>
+        <source>Standard uncertainty of its natural frequency</source>
+        <translation>Egenfrekvensens standardosäkerhet</translation>
+    </message>
+    <message>
+        <source>Damping ratio of the reference transducer</source>
+        <translation>Referensgivarens dämpningsförhållande</translation>
+    </message>
+    <message>
+        <source>Standard uncertainty of its damping ratio</source>
+        <translation>Dämpningsförhållandets standardosäkerhet</translation>
+    </message>
+    <message>
+        <source>Drop these values; the comparison is switched off</source>
+        <translation>Ta bort värdena; jämförelsen slås av</translation>
+    </message>
+    <message>
+        <source>By how much later the step reaches it than the sensor</source>
+        <translation>Hur mycket senare än givaren den nås av steget</translation>
+    </message>
+    <message>
+        <source>Standard uncertainty of the delay; empty: anything within ±0.5 µs</source>
+        <translation>Fördröjningens standardosäkerhet; tomt: vad som helst inom ±0,5 µs</translation>
+    </message>
+    <message>
+        <source>Of its sensitivity and the computed step, from -1 to 1; empty: none</source>
+        <translation>Mellan dess känslighet och det beräknade steget, från -1 till 1; tomt: ingen</translation>
+    </message>
+    <message>
+        <source>A table (CSV) or a certificate (XML) with the response of amplifier and converter, relative to the gain at low frequency</source>
+        <translation>En tabell (CSV) eller ett certifikat (XML) med förstärkarens och omvandlarens svar, relativt förstärkningen vid låg frekvens</translation>
+    </message>
+    <message>
+        <source>No longer divide the chain&apos;s response out of S(f)</source>
+        <translation>Räkna inte längre bort kedjans svar ur S(f)</translation>
+    </message>
+    <message>
+        <source>Entries of the recipe; the selected one stands in the fields below</source>
+        <translation>Receptets poster; den valda står i fälten nedan</translation>
+    </message>
+    <message>
+        <source>What the laboratory is accredited for: no smaller U of it is stated</source>
+        <translation>Vad laboratoriet är ackrediterat för: inget mindre U anges för det</translation>
+    </message>
+    <message>
+        <source>Whether the least U is relative to the value or in its unit</source>
+        <translation>Om det minsta U är relativt värdet eller i dess enhet</translation>
+    </message>
+    <message>
+        <source>The smallest expanded uncertainty that the laboratory states, at 95 %</source>
+        <translation>Den minsta utvidgade osäkerhet som laboratoriet anger, vid 95 %</translation>
+    </message>
+    <message>
+        <source>Lowest frequency of the entry; empty: from 0 on</source>
+        <translation>Postens lägsta frekvens; tomt: från 0</translation>
+    </message>
+    <message>
+        <source>Highest frequency of the entry; empty: without end</source>
+        <translation>Postens högsta frekvens; tomt: utan slut</translation>
+    </message>
+    <message>
+        <source>Put what stands in the fields into the recipe, as a further entry</source>
+        <translation>Lägg till det som står i fälten som ytterligare en post i receptet</translation>
+    </message>
+    <message>
+        <source>Put what stands in the fields in the place of the selected entry</source>
+        <translation>Sätt det som står i fälten i stället för den valda posten</translation>
+    </message>
+    <message>
+        <source>Take the selected entry out of the recipe</source>
+        <translation>Ta bort den valda posten ur receptet</translation>
+    </message>
+    <message>
+        <source>How deviation and uncertainty decide whether the sensor conforms</source>
+        <translation>Hur avvikelse och osäkerhet avgör om givaren uppfyller kravet</translation>
+    </message>
+    <message>
+        <source>Limit of the deviation from the sensitivity at low frequency</source>
+        <translation>Gräns för avvikelsen från känsligheten vid låg frekvens</translation>
+    </message>
+    <message>
+        <source>Lowest frequency of the claim</source>
+        <translation>Påståendets lägsta frekvens</translation>
+    </message>
+    <message>
+        <source>Highest frequency of the claim</source>
+        <translation>Påståendets högsta frekvens</translation>
+    </message>
+    <message>
+        <source>Largest probability of being outside the limit, at any frequency</source>
+        <translation>Största sannolikhet att ligga utanför gränsen, vid någon frekvens</translation>
     </message>
 </context>
 <context>
@@ -1973,6 +2207,50 @@ wanted U</source>
     <message>
         <source>Reference transducer</source>
         <translation>Referensgivare</translation>
+    </message>
+    <message>
+        <source>Magnitude against the reference transducer; the pressure step is not known well enough to compare.</source>
+        <translation>Belopp mot referensgivaren; trycksteget är inte tillräckligt känt för att jämföra.</translation>
+    </message>
+    <message>
+        <source>Magnitude against the reference transducer and against the pressure step; these differ by %1 on the mean.</source>
+        <translation>Belopp mot referensgivaren och mot trycksteget; de skiljer sig med %1 i medeltal.</translation>
+    </message>
+    <message>
+        <source>limit</source>
+        <translation>gräns</translation>
+    </message>
+    <message>
+        <source>Magnitude against reference transducer and pressure step</source>
+        <translation>Belopp mot referensgivare och trycksteg</translation>
+    </message>
+    <message>
+        <source>Pressure step</source>
+        <translation>Trycksteg</translation>
+    </message>
+    <message>
+        <source>%1, ± U</source>
+        <translation>%1, ± U</translation>
+    </message>
+    <message>
+        <source>Step less transducer, over the U of the difference</source>
+        <translation>Steg minus referensgivare, genom skillnadens U</translation>
+    </message>
+    <message>
+        <source>Eₙ</source>
+        <translation>Eₙ</translation>
+    </message>
+    <message>
+        <source>Eₙ over frequency; beyond ±1 at %1 of %2 frequencies.</source>
+        <translation>Eₙ över frekvens; utanför ±1 vid %1 av %2 frekvenser.</translation>
+    </message>
+    <message>
+        <source>Both magnitudes less their mean</source>
+        <translation>Båda beloppen minus deras medelvärde</translation>
+    </message>
+    <message>
+        <source>Deviation</source>
+        <translation>Avvikelse</translation>
     </message>
 </context>
 <context>
@@ -7155,6 +7433,8 @@ wanted U</source>
     <message>
         <source>The results have no frequency with magnitude, phase and their complete uncertainties, so no correction follows from them; the findings of the calibration say what is missing (a known pressure step, a refined model).</source>
         <translation>Resultaten har ingen frekvens med belopp, fas och deras fullständiga osäkerheter, så ingen korrektion följer av dem; kalibreringens anmärkningar säger vad som saknas (ett känt trycksteg, en förfinad modell).</translation>
+        <source>Magnitude against the reference transducer and against the pressure step, less the mean of both</source>
+        <translation>Belopp mot referensgivaren och mot trycksteget, minus medelvärdet av båda</translation>
     </message>
 </context>
 <context>
@@ -7409,6 +7689,77 @@ wanted U</source>
     <message>
         <source>adopted, </source>
         <translation>antagen, </translation>
+    </message>
+</context>
+<context>
+    <name>dyncal::CapabilityPanel</name>
+    <message>
+        <source>Least U of the laboratory (CMC)</source>
+        <translation>Laboratoriets minsta U (CMC)</translation>
+    </message>
+    <message>
+        <source>Add this entry</source>
+        <translation>Lägg till posten</translation>
+    </message>
+    <message>
+        <source>Replace the selected entry</source>
+        <translation>Ersätt den valda posten</translation>
+    </message>
+    <message>
+        <source>Remove the selected entry</source>
+        <translation>Ta bort den valda posten</translation>
+    </message>
+    <message>
+        <source>Entries of the CMC</source>
+        <translation>CMC:ns poster</translation>
+    </message>
+    <message>
+        <source>Quantity</source>
+        <translation>Storhet</translation>
+    </message>
+    <message>
+        <source>Counted in</source>
+        <translation>Räknas i</translation>
+    </message>
+    <message>
+        <source>percent of the value</source>
+        <translation>procent av värdet</translation>
+    </message>
+    <message>
+        <source>the value&apos;s unit</source>
+        <translation>värdets enhet</translation>
+    </message>
+    <message>
+        <source>Least U</source>
+        <translation>Minsta U</translation>
+    </message>
+    <message>
+        <source>From</source>
+        <translation>Från</translation>
+    </message>
+    <message>
+        <source>To</source>
+        <translation>Till</translation>
+    </message>
+    <message>
+        <source>needed</source>
+        <translation>behövs</translation>
+    </message>
+    <message>
+        <source>any</source>
+        <translation>alla</translation>
+    </message>
+    <message>
+        <source>Add an entry of the CMC</source>
+        <translation>Lägg till en post i CMC</translation>
+    </message>
+    <message>
+        <source>Change an entry of the CMC</source>
+        <translation>Ändra en post i CMC</translation>
+    </message>
+    <message>
+        <source>Remove an entry of the CMC</source>
+        <translation>Ta bort en post ur CMC</translation>
     </message>
 </context>
 <context>
@@ -7724,6 +8075,45 @@ wanted U</source>
     </message>
 </context>
 <context>
+    <name>dyncal::ComparisonPage</name>
+    <message>
+        <source>Comparison</source>
+        <translation>Jämförelse</translation>
+    </message>
+    <message>
+        <source>A transducer of known sensitivity beside the sensor gives S(f) without the shock; where both ways are known, they check each other.</source>
+        <translation>En givare med känd känslighet bredvid givaren ger S(f) utan stötvågen; där båda vägarna är kända kontrollerar de varandra.</translation>
+    </message>
+    <message>
+        <source>Magnitude against the reference transducer and against the pressure step</source>
+        <translation>Belopp mot referensgivaren och mot trycksteget</translation>
+    </message>
+    <message>
+        <source>Eₙ of the two over frequency</source>
+        <translation>De tvås Eₙ över frekvens</translation>
+    </message>
+    <message>
+        <source>Step and reference transducer</source>
+        <translation>Steg och referensgivare</translation>
+    </message>
+    <message>
+        <source>Reference transducer</source>
+        <translation>Referensgivare</translation>
+    </message>
+    <message>
+        <source>Its sensitivity</source>
+        <translation>Dess känslighet</translation>
+    </message>
+    <message>
+        <source>Amplifier and converter</source>
+        <translation>Förstärkare och omvandlare</translation>
+    </message>
+    <message>
+        <source>Both magnitudes less their mean</source>
+        <translation>Båda beloppen minus deras medelvärde</translation>
+    </message>
+</context>
+<context>
     <name>dyncal::ComponentsPage</name>
     <message>
         <source>PCA</source>
@@ -7942,6 +8332,65 @@ wanted U</source>
     <message>
         <source>B − A</source>
         <translation>B − A</translation>
+    </message>
+</context>
+<context>
+    <name>dyncal::DecisionPanel</name>
+    <message>
+        <source>Statement of conformity</source>
+        <translation>Utlåtande om överensstämmelse</translation>
+    </message>
+    <message>
+        <source>Decision rule</source>
+        <translation>Beslutsregel</translation>
+    </message>
+    <message>
+        <source>no statement</source>
+        <translation>inget utlåtande</translation>
+    </message>
+    <message>
+        <source>simple acceptance</source>
+        <translation>enkel acceptans</translation>
+    </message>
+    <message>
+        <source>guard band of U</source>
+        <translation>skyddsband på U</translation>
+    </message>
+    <message>
+        <source>largest risk</source>
+        <translation>största risk</translation>
+    </message>
+    <message>
+        <source>Magnitude within ±</source>
+        <translation>Belopp inom ±</translation>
+    </message>
+    <message>
+        <source>From</source>
+        <translation>Från</translation>
+    </message>
+    <message>
+        <source>To</source>
+        <translation>Till</translation>
+    </message>
+    <message>
+        <source>Largest risk</source>
+        <translation>Största risk</translation>
+    </message>
+    <message>
+        <source>Change the decision rule</source>
+        <translation>Ändra beslutsregeln</translation>
+    </message>
+    <message>
+        <source>Change the claim</source>
+        <translation>Ändra påståendet</translation>
+    </message>
+    <message>
+        <source>Change the largest risk</source>
+        <translation>Ändra den största risken</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
     </message>
 </context>
 <context>
@@ -9089,6 +9538,21 @@ wanted U</source>
     </message>
 </context>
 <context>
+    <name>dyncal::NeededNumbers</name>
+    <message>
+        <source>needed</source>
+        <translation>behövs</translation>
+    </message>
+    <message>
+        <source>This value is needed as long as the others stand; it stays as it was.</source>
+        <translation>Värdet behövs så länge de andra står kvar; det förblir som det var.</translation>
+    </message>
+    <message>
+        <source>Not used yet; still needed: %1.</source>
+        <translation>Används inte än; behövs ännu: %1.</translation>
+    </message>
+</context>
+<context>
     <name>dyncal::NextBar</name>
     <message>
         <source>What next, and key results</source>
@@ -9635,6 +10099,141 @@ wanted U</source>
     </message>
 </context>
 <context>
+    <name>dyncal::ReferencePanel</name>
+    <message>
+        <source>Compare with a reference transducer</source>
+        <translation>Jämför med en referensgivare</translation>
+    </message>
+    <message>
+        <source>S(f) is stated against</source>
+        <translation>S(f) anges mot</translation>
+    </message>
+    <message>
+        <source>the computed pressure step</source>
+        <translation>det beräknade trycksteget</translation>
+    </message>
+    <message>
+        <source>the reference transducer</source>
+        <translation>referensgivaren</translation>
+    </message>
+    <message>
+        <source>the static sensitivity</source>
+        <translation>den statiska känsligheten</translation>
+    </message>
+    <message>
+        <source>a step of 1</source>
+        <translation>ett steg på 1</translation>
+    </message>
+    <message>
+        <source>Channel</source>
+        <translation>Kanal</translation>
+    </message>
+    <message>
+        <source>Choose the channel of the reference</source>
+        <translation>Välj referensens kanal</translation>
+    </message>
+    <message>
+        <source>Unit of its sensitivity</source>
+        <translation>Känslighetens enhet</translation>
+    </message>
+    <message>
+        <source>First say what the reference transducer is: choose the file with its sensitivity, or type all values of the second-order sensor.</source>
+        <translation>Ange först vad referensgivaren är: välj filen med dess känslighet, eller skriv in alla värden för givaren av andra ordningen.</translation>
+    </message>
+    <message>
+        <source>Shot %1 has no channel of a reference transducer; give one the role %2 on the page Captures, or choose the channel.</source>
+        <translation>Skott %1 har ingen kanal från en referensgivare; ge en kanal rollen %2 på sidan Registreringar, eller välj kanalen.</translation>
+    </message>
+    <message>
+        <source>Compare with nothing</source>
+        <translation>Jämför inte</translation>
+    </message>
+    <message>
+        <source>S(f) can be stated against the reference transducer once the comparison is switched on.</source>
+        <translation>S(f) kan anges mot referensgivaren när jämförelsen har slagits på.</translation>
+    </message>
+    <message>
+        <source>Change what S(f) is stated against</source>
+        <translation>Ändra vad S(f) anges mot</translation>
+    </message>
+    <message>
+        <source>by its role: %1</source>
+        <translation>efter rollen: %1</translation>
+    </message>
+    <message>
+        <source>Its channel is recorded in %1, so that its sensitivity is in %2; change the unit of the channel in the import settings, where that is wrong.</source>
+        <translation>Dess kanal är registrerad i %1, så att känsligheten är i %2; ändra kanalens enhet i importinställningarna om den är fel.</translation>
+    </message>
+    <message>
+        <source>Change the unit of the reference</source>
+        <translation>Ändra referensens enhet</translation>
+    </message>
+    <message>
+        <source>Or a second-order sensor, all u at k = 1</source>
+        <translation>Eller en givare av andra ordningen, alla u med k = 1</translation>
+    </message>
+    <message>
+        <source>Sensitivity</source>
+        <translation>Känslighet</translation>
+    </message>
+    <message>
+        <source>u of the sensitivity</source>
+        <translation>Känslighetens u</translation>
+    </message>
+    <message>
+        <source>Resonance f₀</source>
+        <translation>Resonans f₀</translation>
+    </message>
+    <message>
+        <source>u of f₀</source>
+        <translation>u för f₀</translation>
+    </message>
+    <message>
+        <source>Damping ζ</source>
+        <translation>Dämpning ζ</translation>
+    </message>
+    <message>
+        <source>u of ζ</source>
+        <translation>u för ζ</translation>
+    </message>
+    <message>
+        <source>Use no second-order sensor</source>
+        <translation>Använd ingen givare av andra ordningen</translation>
+    </message>
+    <message>
+        <source>Describe the reference transducer</source>
+        <translation>Beskriv referensgivaren</translation>
+    </message>
+    <message>
+        <source>Change %1</source>
+        <translation>Ändra %1</translation>
+    </message>
+    <message>
+        <source>Its place</source>
+        <translation>Dess plats</translation>
+    </message>
+    <message>
+        <source>Delay behind the sensor</source>
+        <translation>Fördröjning efter givaren</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>ingen</translation>
+    </message>
+    <message>
+        <source>u of the delay</source>
+        <translation>Fördröjningens u</translation>
+    </message>
+    <message>
+        <source>within ±0.5 µs</source>
+        <translation>inom ±0,5 µs</translation>
+    </message>
+    <message>
+        <source>Correlation with the step</source>
+        <translation>Korrelation med steget</translation>
+    </message>
+</context>
+<context>
     <name>dyncal::ShockPage</name>
     <message>
         <source>Reference step</source>
@@ -9772,6 +10371,53 @@ wanted U</source>
     <message>
         <source>Folder of the recordings</source>
         <translation>Mapp med registreringarna</translation>
+    </message>
+</context>
+<context>
+    <name>dyncal::SourcePanel</name>
+    <message>
+        <source>File</source>
+        <translation>Fil</translation>
+    </message>
+    <message>
+        <source>Choose a file...</source>
+        <translation>Välj en fil...</translation>
+    </message>
+    <message>
+        <source>Use no file</source>
+        <translation>Använd ingen fil</translation>
+    </message>
+    <message>
+        <source>List in the certificate</source>
+        <translation>Lista i certifikatet</translation>
+    </message>
+    <message>
+        <source>Response over frequency</source>
+        <translation>Svar över frekvens</translation>
+    </message>
+    <message>
+        <source>Tables and certificates (*.csv *.txt *.xml);;All files (*)</source>
+        <translation>Tabeller och certifikat (*.csv *.txt *.xml);;Alla filer (*)</translation>
+    </message>
+    <message>
+        <source>Choose %1</source>
+        <translation>Välj %1</translation>
+    </message>
+    <message>
+        <source>Choose the list in the certificate</source>
+        <translation>Välj listan i certifikatet</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>ingen</translation>
+    </message>
+    <message>
+        <source>to be chosen</source>
+        <translation>att välja</translation>
+    </message>
+    <message>
+        <source>the only one</source>
+        <translation>den enda</translation>
     </message>
 </context>
 <context>

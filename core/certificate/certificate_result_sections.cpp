@@ -244,6 +244,11 @@ CertificateSection figuresSection(const CalibrationResults &results, const Recip
         section.figures.push_back(
             {"phase", {DYNCAL_TEXT("core", "Frequency response, phase"), {}}});
     }
+    if (results.comparison && results.comparison->againstStep)
+        section.figures.push_back({"comparison",
+            {DYNCAL_TEXT("core",
+                 "Magnitude against the reference transducer and against the pressure step, less the mean of both"),
+                {}}});
     if (results.window)
         section.figures.push_back(
             {"spectrum", {DYNCAL_TEXT("core", "Power spectra of the responses"), {}}});

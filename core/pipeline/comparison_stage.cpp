@@ -47,6 +47,7 @@ Result<ComparisonResult> comparisonStage(const CalibrationResults &results, cons
     if (result.againstStep)
         result.findings = judgeAgainstStep(*result.againstStep);
     result.byTransducer = std::move(*byTransducer);
+    result.byStep = std::move(*byStep);
     return result;
 }
 

@@ -4,6 +4,7 @@
 #include "core/project/recipe_fields_uncertainty.h"
 
 #include "core/base/calendar_date.h"
+#include "core/project/capability_quantities.h"
 #include "core/project/recipe_limits.h"
 
 namespace dyncal {
@@ -41,10 +42,7 @@ Codec<CapabilityEntry> capabilityEntry()
     using S = CapabilityEntry;
     return object<S>({
         field("of", DYNCAL_TEXT("RecipeLabel", "quantity of the CMC"), &S::of,
-            oneOf({"sensitivity", "magnitude", "phase_rad", "f0_hz", "damping_ratio", "q",
-                "resonance_hz", "resonance_gain", "within_5_percent_hz", "within_10_percent_hz",
-                "minus_3_db_hz", "rise_time_s", "overshoot_percent", "settling_time_s"}),
-            true),
+            oneOf({kCapabilityQuantities.begin(), kCapabilityQuantities.end()}), true),
         field("expanded", DYNCAL_TEXT("RecipeLabel", "CMC"), &S::expanded,
             number(0.0, 1e9, Bound::Exclusive), true),
         field("relative", DYNCAL_TEXT("RecipeLabel", "CMC is relative"), &S::isRelative, boolean()),

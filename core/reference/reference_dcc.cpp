@@ -127,13 +127,18 @@ tl::unexpected<Error> refused(Message message)
     return fail(ErrorKind::Usage, std::move(message));
 }
 
+bool isOverFrequency(const pugi::xml_node &list)
+{
+    return inUnit(quantitiesOf(list), "Hz") != nullptr;
+}
+
 /// The list that is meant.
 Result<pugi::xml_node> listOf(const pugi::xml_document &document, const std::string &id)
 {
     std::vector<pugi::xml_node> found;
     for (const pugi::xml_node &list : allBelow(document, "list")) {
-        const bool isMeant = id.empty() ? inUnit(quantitiesOf(list), "Hz") != nullptr
-                                        : list.attribute("id").value() == id;
+        const bool isMeant
+            = id.empty() ? isOverFrequency(list) : list.attribute("id").value() == id;
         if (isMeant)
             found.push_back(list);
     }
@@ -175,6 +180,18 @@ Result<std::vector<ReferencePoint>> rowsOfList(
 }
 
 } // namespace
+
+std::vector<std::string> listsOverFrequency(const std::string &xml)
+{
+    pugi::xml_document document;
+    std::vector<std::string> ids;
+    if (!document.load_buffer(xml.data(), xml.size()))
+        return ids;
+    for (const pugi::xml_node &list : allBelow(document, "list"))
+        if (isOverFrequency(list))
+            ids.emplace_back(list.attribute("id").value());
+    return ids;
+}
 
 Result<CertifiedReference> readReferenceDcc(
     const std::string &xml, const std::string &quantityId, const std::string &unit)

@@ -7,6 +7,7 @@
 #include "core/reference/reference_sensitivity.h"
 
 #include <string>
+#include <vector>
 
 namespace dyncal {
 
@@ -25,5 +26,9 @@ struct CertifiedReference
 /// ReferenceSensitivity::fromTable().
 Result<CertifiedReference> readReferenceDcc(
     const std::string &xml, const std::string &quantityId, const std::string &unit);
+
+/// The ids of the lists of a digital calibration certificate that have frequencies, in its order;
+/// one without an id is "". Empty where it is no such certificate.
+std::vector<std::string> listsOverFrequency(const std::string &xml);
 
 } // namespace dyncal

@@ -68,6 +68,17 @@ RowDifference differenceOf(const UncertainResponse &byTransducer, Index a,
     return result;
 }
 
+ReportedValue statedAt(const UncertainResponse &of, std::optional<Index> row)
+{
+    ReportedValue value{"magnitude", kUnknown, ""};
+    if (!row || !std::isfinite(of.response.magnitude[*row]))
+        return value;
+    if (of.report.rows.isComplete())
+        return magnitudeOfRow(of.response, of.report.rows, *row);
+    value.value = of.response.magnitude[*row];
+    return value;
+}
+
 /// Up to where the model stays within 10 %.
 double flatUpTo_Hz(const ResponseResult &response)
 {
@@ -116,6 +127,22 @@ std::optional<StepAgainstTransducer> compareWithStep(
         return std::nullopt;
     average(flat.empty() ? all : flat, result);
     return result;
+}
+
+std::vector<ComparedRow> comparedRows(const ComparisonResult &comparison)
+{
+    std::vector<ComparedRow> rows;
+    if (!comparison.byTransducer || !comparison.byStep)
+        return rows;
+    const UncertainResponse &t = *comparison.byTransducer, &s = *comparison.byStep;
+    const bool isAlike = t.response.unit == s.response.unit;
+    for (Index row = 0; row < t.response.magnitude.size(); ++row) {
+        const double f_Hz = t.response.frequency_Hz[row];
+        rows.push_back(
+            {f_Hz, statedAt(t, row), statedAt(s, isAlike ? rowAt(s.response, f_Hz) : std::nullopt),
+                comparison.againstStep ? comparison.againstStep->e_n[row] : kUnknown});
+    }
+    return rows;
 }
 
 Findings judgeAgainstStep(const StepAgainstTransducer &comparison)

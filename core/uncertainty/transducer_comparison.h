@@ -12,6 +12,7 @@
 
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace dyncal {
 
@@ -35,6 +36,7 @@ struct StepAgainstTransducer
 struct ComparisonResult
 {
     std::optional<UncertainResponse> byTransducer; ///< empty unless it was asked for
+    std::optional<UncertainResponse> byStep; ///< of the same records; there where that is
     std::string channel;
     std::string sourceSha256;
     std::string certificate;
@@ -49,6 +51,20 @@ struct ComparisonResult
 /// no complete u, or they have no row in common.
 std::optional<StepAgainstTransducer> compareWithStep(
     const UncertainResponse &byTransducer, const UncertainResponse &byStep, double correlation);
+
+/// One frequency in both responses. A value that is withheld, or not asked for there, is NaN; a u
+/// that is not complete is absent.
+struct ComparedRow
+{
+    double frequency_Hz = kUnknown;
+    ReportedValue byTransducer;
+    ReportedValue byStep;
+    double e_n = kUnknown;
+};
+
+/// The rows of the transducer's response, in its order; empty unless a comparison was made. byStep
+/// is unknown throughout where the step is not known: its response then has another unit.
+std::vector<ComparedRow> comparedRows(const ComparisonResult &comparison);
 
 /// CMP-001, a caution: the two differ by more than their expanded uncertainty (|E_n| above 1).
 Findings judgeAgainstStep(const StepAgainstTransducer &comparison);

@@ -3,6 +3,7 @@
 
 #include "ui/report/report_figures.h"
 
+#include "ui/plot/curves/comparison_curves.h"
 #include "ui/plot/curves/component_curves.h"
 #include "ui/plot/curves/model_curves.h"
 #include "ui/plot/curves/realization_curves.h"
@@ -108,6 +109,8 @@ std::vector<FigureMaker> figureMakers(const CalibrationResults &results)
         makers.add("magnitude", [](R r) { return bodeMagnitudeCurves(*r.response); });
         makers.add("phase", [](R r) { return bodePhaseCurves(*r.response); });
     }
+    if (results.comparison && results.comparison->againstStep)
+        makers.add("comparison", [](R r) { return comparedDeviationCurves(*r.comparison); });
     return makers.take();
 }
 

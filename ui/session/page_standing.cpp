@@ -16,19 +16,13 @@ namespace {
 constexpr std::array<StageId, kPageCount> kOpenedFor{StageId::Captures, StageId::Shock,
     StageId::Window, StageId::Spectrum, StageId::Components, StageId::ModelInput,
     StageId::Decomposition, StageId::Model, StageId::Checks, StageId::Uncertainty,
-    StageId::Response};
+    StageId::Comparison, StageId::Response};
 
 /// Where something is seen that went wrong in a stage and has no id of its own.
 Page pageOfStage(StageId stage)
 {
     const auto found = std::ranges::find(kOpenedFor, stageOf(stage).shownWith);
     return static_cast<Page>(found - kOpenedFor.begin());
-}
-
-/// The page that a finding counts for; one without an id of the catalogue is what stopped the run.
-Page pageOf(const Finding &finding, const WorkState &work)
-{
-    return pageOfFinding(finding.id).value_or(pageOfStage(work.failedStage));
 }
 
 /// A page also answers for the stages that it shows beside another: what is wrong with the model
@@ -148,6 +142,11 @@ std::optional<Page> pageOfFinding(const std::string &id)
             return page;
     const std::optional<StageId> stage = stageOfFinding(id);
     return stage ? std::optional(pageOfStage(*stage)) : std::nullopt;
+}
+
+Page pageOf(const Finding &finding, const WorkState &work)
+{
+    return pageOfFinding(finding.id).value_or(pageOfStage(work.failedStage));
 }
 
 bool isAccepted(const Finding &finding, const std::vector<Acknowledgement> &accepted)

@@ -26,9 +26,10 @@ enum class Page {
     Model,
     Checks,
     Uncertainty,
+    Comparison,
     Certificate
 };
-inline constexpr int kPageCount = 11;
+inline constexpr int kPageCount = 12;
 
 /// The stages on a page, the one that it is opened for first.
 std::vector<StageId> stagesOf(Page page);
@@ -52,6 +53,9 @@ struct WorkState
 
 /// Cautions that nobody gave a reason for; of one page, or of all.
 int openCautions(const WorkState &work, std::optional<Page> page = {});
+
+/// The page that a finding counts for; one without an id of the catalogue is what stopped the run.
+Page pageOf(const Finding &finding, const WorkState &work);
 
 /// How a page stands, as the stage list and the head of the page say it.
 struct PageStanding

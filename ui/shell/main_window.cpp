@@ -345,11 +345,11 @@ void MainWindow::showControl(Page page, const QString &control)
 
 void MainWindow::showFinding(const Finding &finding)
 {
-    const std::optional<FindingPlace> place = placeOfFinding(finding.id);
-    if (!place)
-        return;
-    showControl(place->page, QString::fromLatin1(place->control));
-    selectShot(*m_pages[static_cast<std::size_t>(place->page)], finding.shot);
+    const FindingPlace place
+        = placeOfFinding(finding.id)
+              .value_or(FindingPlace{pageOf(finding, workStateOf(m_session)), ""});
+    showControl(place.page, QString::fromLatin1(place.control));
+    selectShot(*m_pages[static_cast<std::size_t>(place.page)], finding.shot);
 }
 
 void MainWindow::showTitle()

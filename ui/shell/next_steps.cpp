@@ -29,7 +29,7 @@ void addBlocks(const WorkState &work, std::vector<NextStep> &steps)
         if (first.severity != Severity::Block)
             continue;
         const FindingPlace place
-            = placeOfFinding(first.id).value_or(FindingPlace{Page::Captures, ""});
+            = placeOfFinding(first.id).value_or(FindingPlace{pageOf(first, work), ""});
         const QString what = first.id.empty() ? severityWord(Severity::Block) : rawText(first.id);
         steps.push_back({severityGlyph(Severity::Block) + " "
                 + Steps::tr("%1: %2").arg(pageTitle(place.page), what),

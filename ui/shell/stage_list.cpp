@@ -29,7 +29,9 @@ QKeySequence stageKeys(Page page)
     const int number = static_cast<int>(page) + 1;
     if (number <= kDigits)
         return QKeySequence(QString("Alt+%1").arg(number));
-    return QKeySequence(page == Page::Certificate ? "Alt+0" : "Alt+Y");
+    return QKeySequence(page == Page::Certificate ? "Alt+0"
+            : page == Page::Comparison            ? "Alt+J"
+                                                  : "Alt+Y");
 }
 
 StageList::StageList(QWidget *parent)

@@ -10,8 +10,8 @@
 
 namespace dyncal {
 
-/// The keys of a page: Alt+1 to Alt+9 from the first, Alt+0 the last (the certificate), and Alt+Y
-/// what stands between them; no menu has Y as its letter in any language.
+/// The keys of a page: Alt+1 to Alt+9 from the first, Alt+0 the last (the certificate), and
+/// Alt+Y and Alt+J what stands between them; no menu has these letters in any language.
 QKeySequence stageKeys(Page page);
 
 /// The list of stages: number, title, and how it stands as a sign of its own shape and colour and

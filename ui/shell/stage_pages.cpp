@@ -8,6 +8,7 @@
 #include "ui/stages/captures_page.h"
 #include "ui/stages/certificate_page.h"
 #include "ui/stages/checks_page.h"
+#include "ui/stages/comparison/comparison_page.h"
 #include "ui/stages/components_page.h"
 #include "ui/stages/model/model_page.h"
 #include "ui/stages/model_input_page.h"
@@ -32,7 +33,8 @@ std::vector<StagePage *> stagePages(Session &session, Prompts &prompts, FileActi
         certificate, &CertificatePage::exportRequested, &files, &FileActions::exportCertificate);
     return {captures, new ShockPage(session), new WindowPage(session), new SpectrumPage(session),
         new ComponentsPage(session), new ModelInputPage(session), new OrderPage(session),
-        new ModelPage(session), new ChecksPage(session), new UncertaintyPage(session), certificate};
+        new ModelPage(session), new ChecksPage(session), new UncertaintyPage(session),
+        new ComparisonPage(session, prompts), certificate};
 }
 
 } // namespace dyncal

@@ -5,6 +5,7 @@
 
 #include "core/certificate/certificate.h"
 #include "core/certificate/certificate_data.h"
+#include "ui/stages/decision_panel.h"
 #include "ui/stages/frame/status_text.h"
 #include "ui/text/core_text.h"
 #include "ui/text/finding_text.h"
@@ -165,6 +166,7 @@ void CertificatePage::buildInspector()
     button->setObjectName("exportCertificate");
     form->addWide(button);
     connect(button, &QPushButton::clicked, this, &CertificatePage::exportRequested);
+    m_decision = new DecisionPanel(session(), *form, this);
     form->addSection(tr("Checklist"));
     m_missing = form->addNote("missingFields");
     m_cautions = form->addNote("cautionCount");
@@ -229,6 +231,7 @@ void CertificatePage::showMissing()
 void CertificatePage::showResults()
 {
     showMissing();
+    m_decision->showOutcome();
     int cautions = 0;
     int blocks = 0;
     for (const Finding &finding : session().findings()) {

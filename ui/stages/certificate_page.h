@@ -11,7 +11,9 @@ class QPlainTextEdit;
 
 namespace dyncal {
 
-/// Stage 9: what the certificate says beside the results, and its export.
+class DecisionPanel;
+
+/// Stage 12: what the certificate says beside the results, and its export.
 class CertificatePage : public StagePage
 {
     Q_OBJECT
@@ -40,6 +42,7 @@ private:
         m_notes; ///< beside dates: what is wrong with them
     QPlainTextEdit *m_remarks;
     QComboBox *m_language;
+    DecisionPanel *m_decision;
     QLabel *m_missing;
     QLabel *m_cautions;
 };

@@ -54,8 +54,9 @@ const std::vector<Units> &kinds()
         {{"m/s"}, {"km/s", 1e3}, {"mm/µs", 1e3}, {"km/h", 1.0 / 3.6}, {"ft/s", 0.3048}},
         {{"%", 1e-2}, {"‰", 1e-3}, {"ppm", 1e-6}},
         {{"kg/mol"}, {"g/mol", 1e-3}},
-        {{"V/Pa"}, {"mV/Pa", 1e-3}, {"µV/Pa", 1e-6}, {"V/kPa", 1e-3}, {"mV/kPa", 1e-6},
-            {"V/MPa", 1e-6}, {"V/bar", 1e-5}, {"mV/bar", 1e-8}, {"mV/psi", 1e-3 / kPsi_Pa}},
+        {{"V/Pa"}, {"mV/Pa", 1e-3}, {"µV/Pa", 1e-6}, {"nV/Pa", 1e-9}, {"V/kPa", 1e-3},
+            {"mV/kPa", 1e-6}, {"V/MPa", 1e-6}, {"V/bar", 1e-5}, {"mV/bar", 1e-8},
+            {"mV/psi", 1e-3 / kPsi_Pa}},
     };
     return kinds;
 }

@@ -44,6 +44,13 @@ private:
             || std::ranges::any_of(section.notes, holds);
     }
 
+    static bool showsComparison(const CertificateData &data)
+    {
+        const auto &figures = data.section("figures")->figures;
+        return std::ranges::find(figures, std::string("comparison"), &CertificateFigure::id)
+            != figures.end();
+    }
+
 private slots:
     void initTestCase() { m_set = testing::referenceCapture(); }
 
@@ -74,6 +81,7 @@ private slots:
         QCOMPARE(fields.front().id, std::string("reference_channel"));
         QCOMPARE(english(fields.front().value), std::string("Reference"));
         QVERIFY(english(fields.back().value).find("second-order") != std::string::npos);
+        QVERIFY(showsComparison(makeCertificate(results, recipe, {})));
     }
 
     void without_itSaysNothing()
@@ -82,6 +90,7 @@ private slots:
         QVERIFY(referenceFields(results).empty() && !comparisonSentence(results));
         QVERIFY(referenceFields({}).empty() && !comparisonSentence({}));
         QVERIFY(stepsUsed({}, {}) == nullptr);
+        QVERIFY(!showsComparison(makeCertificate(results, {}, {})));
     }
 };
 

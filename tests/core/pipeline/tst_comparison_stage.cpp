@@ -102,6 +102,8 @@ private slots:
         const auto a = run(compared("transducer")).results.comparison;
         const auto b = run(compared("computed-step")).results.comparison;
         QCOMPARE(a->byTransducer->response.magnitude, b->byTransducer->response.magnitude);
+        QCOMPARE(a->byStep->response.magnitude, b->byStep->response.magnitude);
+        QVERIFY(!a->byStep->response.isByTransducer && a->byTransducer->response.isByTransducer);
         QCOMPARE(a->againstStep->difference_relative, b->againstStep->difference_relative);
         QCOMPARE(a->againstStep->u_relative, b->againstStep->u_relative);
     }

@@ -69,6 +69,16 @@ private slots:
         QVERIFY(faultOfXml(two, "c").find("'c'") != std::string::npos);
     }
 
+    void lists_areNamed_thoseWithFrequenciesOnly()
+    {
+        const std::string three = dccOf(dccList(kFrequencies + kMagnitudes)
+            + dccList(kMagnitudes, "static") + dccList(kFrequencies, "b"));
+        QCOMPARE(listsOverFrequency(three), (std::vector<std::string>{"a", "b"}));
+        QVERIFY(listsOverFrequency("frequency_hz,magnitude\n1,1\n").empty());
+        QVERIFY(listsOverFrequency("<a><b>").empty());
+        QVERIFY(listsOverFrequency("").empty());
+    }
+
     void whatIsMissing_isTold()
     {
         QVERIFY(faultOfXml(dccOf(dccList(kFrequencies))).find("V/Pa") != std::string::npos);

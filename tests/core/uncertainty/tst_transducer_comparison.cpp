@@ -10,6 +10,7 @@
 #include <QTest>
 
 #include <cmath>
+#include <limits>
 
 using namespace dyncal;
 using testing::isNear;
@@ -26,6 +27,8 @@ UncertainResponse answer(double value, const char *source, double u)
     r.u_noiseMagnitude = Eigen::Vector2d::Constant(1e-3 * value);
     r.u_frontMagnitude = r.u_referenceMagnitude = r.boundEnd = r.boundAlias
         = Eigen::Vector2d::Zero();
+    r.u_magnitude = r.u_noiseMagnitude;
+    r.dof = Eigen::Vector2d::Constant(std::numeric_limits<double>::infinity());
     r.unit = "V/Pa";
     one.report.chain.ofSensitivity = {directLine("gain_relative", 0.01)};
     one.report.rows.common = {directLine("gain_relative", 0.01), directLine(source, u)};
@@ -106,6 +109,42 @@ private slots:
         step.response.characteristics.within10percent_Hz = 5e3;
         const auto found = compared(answer(2.0, "reference_gain_relative", 0.004), step);
         QCOMPARE(found.difference_relative, 0.0);
+    }
+
+    void rows_standBesideEachOther()
+    {
+        ComparisonResult both;
+        QVERIFY(comparedRows(both).empty());
+        both.byTransducer = answer(2.0, "reference_gain_relative", 0.003);
+        both.byStep = answer(2.02, "velocity_m_s", 0.004);
+        both.byStep->response.frequency_Hz[1] = 2e4; // not asked for at 10 kHz
+        both.againstStep = compared(*both.byTransducer, *both.byStep);
+        const std::vector<ComparedRow> rows = comparedRows(both);
+        QCOMPARE(rows.size(), std::size_t(2));
+        QCOMPARE(rows[1].frequency_Hz, 1e4);
+        QCOMPARE(rows[0].byTransducer.value, 2.0);
+        QCOMPARE(rows[0].byStep.value, 2.02);
+        // Gain, the transducer's own, noise: in root sum square.
+        const double u = 2.0 * std::hypot(std::hypot(0.01, 0.003), 1e-3);
+        QVERIFY(isNear(*rows[0].byTransducer.u, u, 1e-3));
+        QCOMPARE(rows[0].e_n, both.againstStep->e_n[0]);
+        QVERIFY(std::isnan(rows[1].byStep.value) && !rows[1].byStep.u);
+        QVERIFY(std::isnan(rows[1].e_n));
+    }
+
+    void rows_withoutAComparison_haveNoE_n()
+    {
+        ComparisonResult both;
+        both.byTransducer = answer(2.0, "reference_gain_relative", 0.003);
+        both.byTransducer->response.magnitude[0] = kUnknown; // withheld
+        both.byStep = answer(1.0, "velocity_m_s", 0.004);
+        both.byStep->response.unit = "1"; // the step is not known
+        std::vector<ComparedRow> rows = comparedRows(both);
+        QVERIFY(std::isnan(rows[0].byTransducer.value) && !rows[0].byTransducer.u);
+        QVERIFY(std::isnan(rows[1].byStep.value) && std::isnan(rows[1].e_n));
+        both.byTransducer->report.rows.u_common_relative = kUnknown;
+        rows = comparedRows(both);
+        QVERIFY(rows[1].byTransducer.value == 2.0 && !rows[1].byTransducer.u);
     }
 
     void finding_beyondBothUncertainties()

@@ -80,6 +80,24 @@ void waitUntilLaidOut(const MainWindow &window)
     }
 }
 
+/// Gives every shot its own record once more, as that of a reference transducer with 94 % of the
+/// sensitivity, so that step and transducer contradict each other; and the recipe for it.
+Recipe withReference(CaptureSet &set)
+{
+    for (Shot &shot : set.shots) {
+        Channel reference = *shot.channelWithRole(ChannelRole::Dut);
+        reference.name = "Reference";
+        reference.role = ChannelRole::Reference;
+        shot.channels.push_back(std::move(reference));
+    }
+    Recipe recipe;
+    recipe.comparison.enabled = true;
+    recipe.comparison.model = {4.7e-6, 1e-8, 2.33e6, 1e3, 0.02, 0.001};
+    recipe.uncertainty.cmc = {{"sensitivity", 0.02}, {"magnitude", 0.02, true, 1e3, 1e5}};
+    recipe.certificate.decision = DecisionSettings{DecisionRule::GuardBand, 10.0, 2e3, 1e5};
+    return recipe;
+}
+
 /// What of the window cannot be read before anything is open.
 QStringList startPageFaults(MainWindow &window)
 {
@@ -111,6 +129,7 @@ private slots:
 
 private:
     std::shared_ptr<const CaptureSet> m_example;
+    Recipe m_recipe; ///< compares, claims and has a CMC, so that no page is empty
     std::shared_ptr<ResultCache> m_cache = std::make_shared<ResultCache>();
     QFont m_font;
 };
@@ -120,6 +139,7 @@ void TestLayouts::initTestCase()
     m_font = QApplication::font();
     auto example = exampleCaptures({}, kDuration_s);
     QVERIFY(example);
+    m_recipe = withReference(*example);
     m_example = std::make_shared<const CaptureSet>(std::move(*example));
 }
 
@@ -163,7 +183,7 @@ void TestLayouts::pages_everyLook_canBeRead()
     MainWindow window(sharedPipeline(m_cache), noon, preferences, prompts, language);
     window.show();
     QStringList faults = startPageFaults(window);
-    window.session().reset({m_example, {}});
+    window.session().reset({m_example, m_recipe});
     QTRY_VERIFY_WITH_TIMEOUT(!window.session().isComputing(), kPatience_ms);
     QVERIFY(!window.session().error());
 

@@ -352,6 +352,7 @@ void TestWindowFrame::sheet_isMadeOfTheActions()
     QVERIFY(has("Ctrl+S", "Save"));
     QVERIFY(has("Alt+9", "Checks"));
     QVERIFY(has("Alt+Y", "Uncertainty"));
+    QVERIFY(has("Alt+J", "Comparison"));
     QVERIFY(has("Alt+0", "Certificate"));
     QVERIFY(has("F6", "Findings"));
     QVERIFY(has("Alt+Right", "Next stage"));

@@ -5,6 +5,9 @@
 #include "tests/ui/shell/window_bench.h"
 #include "tests/ui/support/in_swedish.h"
 #include "tests/ui/support/sample_results.h"
+#include "ui/session/work_state.h"
+#include "ui/shell/findings/findings_panel.h"
+#include "ui/shell/next_steps.h"
 #include "ui/shell/stage_list.h"
 #include "ui/stages/frame/stage_page.h"
 #include "ui/stages/frame/status_text.h"
@@ -69,6 +72,7 @@ private slots:
     void listAndHeads_agree();
     void unstableOrder_blocksTheCertificate();
     void stopped_namesTheStageToMend();
+    void faultWithoutAnId_leadsToItsPage();
     void everyBadShot_isListedAtOnce();
     void signs_differInShapeToo();
 };
@@ -149,6 +153,33 @@ void TestWindowStatus::stopped_namesTheStageToMend()
                 "pageProblem");
         QVERIFY(problem->isVisible() && problem->text().contains("Shot 2 has no step."));
     }
+}
+
+/// What stops the run in the stage of the reference transducer is mended on the page Comparison.
+void TestWindowStatus::faultWithoutAnId_leadsToItsPage()
+{
+    const auto noFile = [](const std::shared_ptr<const CaptureSet> &captures, const Recipe &recipe,
+                            ResultCache &cache, StageId last, const JobControl &control) {
+        PipelineOutcome outcome
+            = test::samplePipeline(captures, recipe, cache, StageId::Window, control);
+        outcome.failedStage = StageId::Reference;
+        outcome.error = Error{ErrorKind::FileUnreadable, {"No such file.", {}}, "", 0};
+        return outcome;
+    };
+    Bench bench(noFile);
+    bench.openSample();
+    QCOMPARE(bench.listed(static_cast<int>(Page::Comparison)), QString("blocked"));
+    QCOMPARE(bench.listed(kCertificateRow), QString("blocked by Comparison"));
+    const auto steps = nextSteps(workStateOf(bench.window->session()));
+    QCOMPARE(steps.front().page, Page::Comparison);
+    QVERIFY2(steps.front().text.contains("Comparison"), qPrintable(steps.front().text));
+    bench.window->showPage(0);
+    auto *panel = bench.window->findChild<FindingsPanel *>();
+    const auto rows = panel->findItems("No such file.", Qt::MatchContains);
+    QVERIFY(!rows.isEmpty());
+    panel->setCurrentItem(rows.front());
+    QTest::keyClick(panel, Qt::Key_Return);
+    QVERIFY(bench.window->pages()[static_cast<std::size_t>(Page::Comparison)]->isVisible());
 }
 
 /// Three shots with faults are three findings that block, not one after the other.

@@ -30,6 +30,7 @@ constexpr std::array<std::pair<const char *, const char *>, kPageCount> kTitles{
     {"dyncal::ModelPage", "Model"},
     {"dyncal::ChecksPage", "Checks"},
     {"dyncal::UncertaintyPage", "Uncertainty"},
+    {"dyncal::ComparisonPage", "Comparison"},
     {"dyncal::CertificatePage", "Certificate"},
 }};
 

@@ -10,6 +10,7 @@
 #include "ui/stages/uncertainty/budget_sentences.h"
 #include "ui/stages/uncertainty/budget_table.h"
 #include "ui/stages/uncertainty/budget_words.h"
+#include "ui/stages/uncertainty/capability_panel.h"
 #include "ui/stages/uncertainty/share_bar.h"
 #include "ui/stages/uncertainty/what_if_panel.h"
 #include "ui/text/quantity_format.h"
@@ -55,6 +56,7 @@ UncertaintyPage::UncertaintyPage(Session &session)
     buildChoice();
     m_panel = new WhatIfPanel(session, *inspector(), this);
     buildWanted();
+    new CapabilityPanel(session, *inspector(), this);
     connect(m_panel, &WhatIfPanel::changed, this, &UncertaintyPage::showBudgets);
     connect(m_lines, &QTableWidget::itemSelectionChanged, this, &UncertaintyPage::chooseInput);
 }

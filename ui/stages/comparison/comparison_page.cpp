@@ -1,0 +1,97 @@
+// SPDX-FileCopyrightText: 2026 The Dyncal authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "ui/stages/comparison/comparison_page.h"
+
+#include "ui/plot/curves/comparison_curves.h"
+#include "ui/stages/comparison/comparison_words.h"
+#include "ui/stages/comparison/reference_panel.h"
+#include "ui/stages/comparison/source_panel.h"
+#include "ui/stages/frame/folding_splitter.h"
+#include "ui/stages/frame/layout_scale.h"
+#include "ui/stages/frame/value_table.h"
+
+#include <QSplitter>
+
+namespace dyncal {
+
+ComparisonPage::ComparisonPage(Session &session, Prompts &prompts)
+    : StagePage(session,
+        {"comparisonPage", tr("Comparison"),
+            tr("A transducer of known sensitivity beside the sensor gives S(f) without the shock; where both ways are known, they check each other.")},
+        Page::Comparison)
+{
+    buildContent();
+    buildInspector(prompts);
+}
+
+QLabel *ComparisonPage::addSentence(const char *objectName)
+{
+    auto *label = new QLabel(this);
+    label->setObjectName(objectName);
+    label->setWordWrap(true);
+    label->setTextInteractionFlags(Qt::TextSelectableByMouse);
+    content()->addWidget(label);
+    return label;
+}
+
+void ComparisonPage::buildContent()
+{
+    m_verdict = addSentence("comparisonVerdict");
+    m_verdict->setFont(scale::heading(m_verdict->font()));
+    m_advice = addSentence("comparisonAdvice");
+    m_magnitude = makePlot("comparisonPlot",
+        tr("Magnitude against the reference transducer and against the pressure step"));
+    m_deviation = makePlot("comparisonDeviationPlot", tr("Both magnitudes less their mean"));
+    m_error = makePlot("comparisonErrorPlot", tr("Eₙ of the two over frequency"));
+    shareCursors(CursorAxis::Frequency, {m_magnitude, m_deviation, m_error});
+    m_table = new ValueTable("comparisonTable", tr("Step and reference transducer"), this);
+    auto *split = new QSplitter(Qt::Vertical, this);
+    auto *values = new FoldingSplitter(this);
+    values->addWidget(m_magnitude);
+    values->addWidget(m_deviation);
+    values->setSizes({1000, 1000});
+    split->addWidget(values);
+    split->addWidget(m_error);
+    split->addWidget(m_table);
+    split->setSizes({1000, 600, 700});
+    content()->addWidget(split, 1);
+}
+
+void ComparisonPage::buildInspector(Prompts &prompts)
+{
+    InspectorForm &form = *inspector();
+    form.addSection(tr("Reference transducer"));
+    auto *panel = new ReferencePanel(session(), form, this);
+    panel->buildUse();
+    form.addSection(tr("Its sensitivity"));
+    new SourcePanel(session(), prompts, form, referenceSection(), this);
+    panel->buildModel();
+    panel->buildMounting();
+    form.addSection(tr("Amplifier and converter"));
+    new SourcePanel(session(), prompts, form, chainSection(), this);
+}
+
+void ComparisonPage::showResults()
+{
+    m_verdict->setText(comparisonVerdict(results()));
+    const QString advice = comparisonAdvice(results());
+    m_advice->setText(advice);
+    m_advice->setVisible(!advice.isEmpty());
+    const ComparisonResult *comparison = results().comparison.get();
+    const ShownTable table = comparisonTable(comparison);
+    m_table->setValues(table.headers, table.rows);
+    showPlots(comparison && comparison->byTransducer ? comparison : nullptr);
+}
+
+void ComparisonPage::showPlots(const ComparisonResult *comparison)
+{
+    m_magnitude->setContent(comparison ? comparedMagnitudeCurves(*comparison) : nothingYet());
+    m_deviation->setContent(comparison && comparison->againstStep
+            ? comparedDeviationCurves(*comparison)
+            : nothingYet());
+    m_error->setContent(
+        comparison && comparison->againstStep ? normalisedErrorCurves(*comparison) : nothingYet());
+}
+
+} // namespace dyncal
