@@ -7433,6 +7433,8 @@ steget</translation>
     <message>
         <source>The results have no frequency with magnitude, phase and their complete uncertainties, so no correction follows from them; the findings of the calibration say what is missing (a known pressure step, a refined model).</source>
         <translation>Resultaten har ingen frekvens med belopp, fas och deras fullständiga osäkerheter, så ingen korrektion följer av dem; kalibreringens anmärkningar säger vad som saknas (ett känt trycksteg, en förfinad modell).</translation>
+    </message>
+    <message>
         <source>Magnitude against the reference transducer and against the pressure step, less the mean of both</source>
         <translation>Belopp mot referensgivaren och mot trycksteget, minus medelvärdet av båda</translation>
     </message>
