@@ -7423,8 +7423,8 @@ steget</translation>
         <translation>Resultaten har ingen budget för de enskilda frekvenserna (den utelämnas vid fler än 200); kalibrera vid färre (response.frequencies_hz).</translation>
     </message>
     <message>
-        <source>The results contradict themselves: at %1 the lines of the budget do not make the stated uncertainty; repeat the calibration.</source>
-        <translation>Resultaten motsäger sig själva: vid %1 ger budgetens rader inte den angivna osäkerheten; upprepa kalibreringen.</translation>
+        <source>At %1 the lines of the budget do not make the stated uncertainty: the results contradict themselves, or inputs are correlated (uncertainty.correlations), which a correction cannot take; repeat the calibration without.</source>
+        <translation>Vid %1 ger budgetens rader inte den angivna osäkerheten: resultaten motsäger sig själva, eller så är storheter korrelerade (uncertainty.correlations), vilket en korrektion inte kan ta hänsyn till; upprepa kalibreringen utan.</translation>
     </message>
     <message>
         <source>The results contradict themselves: the lists of the response differ in length, or its frequencies do not ascend; repeat the calibration.</source>

@@ -28,9 +28,6 @@ struct LowPass
     /// edge. TwoPole: e^(2j x)/(1 + jx)^2, x = f/(1.555 band_Hz) (V. Wilkens, M. Weber, tutorial on
     /// the deconvolution of hydrophone signals).
     std::complex<double> at(double frequency_Hz) const;
-
-    /// The same of `factor` times the band.
-    LowPass scaled(double factor) const { return {kind, factor * band_Hz, factor * edge_Hz}; }
 };
 
 } // namespace dyncal

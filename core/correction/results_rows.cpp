@@ -130,7 +130,7 @@ Result<void> checkLines(const GatheredLines &lines, const MeasuredRows &rows)
         if (!isSame(relative, magnitude) || !isSame(rows.u_phase_rad[i], phase_rad))
             return fail(ErrorKind::Usage,
                 {DYNCAL_TEXT("core",
-                     "The results contradict themselves: at %1 the lines of the budget do not make the stated uncertainty; repeat the calibration."),
+                     "At %1 the lines of the budget do not make the stated uncertainty: the results contradict themselves, or inputs are correlated (uncertainty.correlations), which a correction cannot take; repeat the calibration without."),
                     {numberWithUnit(rows.frequency_Hz[i], "Hz")}});
     }
     return {};
