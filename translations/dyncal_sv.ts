@@ -1543,10 +1543,6 @@ steget</translation>
         <translation>Frekvens</translation>
     </message>
     <message>
-        <source>Damping</source>
-        <translation>Dämpning</translation>
-    </message>
-    <message>
         <source>Class</source>
         <translation>Klass</translation>
     </message>
@@ -3137,6 +3133,22 @@ steget</translation>
         <source>least uncertainty of the laboratory (CMC)</source>
         <translation>laboratoriets minsta osäkerhet (CMC)</translation>
     </message>
+    <message>
+        <source>correlated quantity</source>
+        <translation>korrelerad storhet</translation>
+    </message>
+    <message>
+        <source>quantity it is correlated with</source>
+        <translation>storhet den är korrelerad med</translation>
+    </message>
+    <message>
+        <source>correlation coefficient</source>
+        <translation>korrelationskoefficient</translation>
+    </message>
+    <message>
+        <source>correlations in the budget</source>
+        <translation>korrelationer i budgeten</translation>
+    </message>
 </context>
 <context>
     <name>Report</name>
@@ -3326,6 +3338,10 @@ steget</translation>
     <message>
         <source>Duration of the front</source>
         <translation>Frontens varaktighet</translation>
+    </message>
+    <message>
+        <source>Weak oscillation, perhaps the mount&apos;s</source>
+        <translation>Svag svängning, kanske monteringens</translation>
     </message>
     <message>
         <source>Front of unknown duration</source>
@@ -4573,10 +4589,6 @@ steget</translation>
     <message>
         <source>Recipe key realization.order is %1; it needs at most realization.max_order, which is %2.</source>
         <translation>Receptnyckeln realization.order är %1; den får vara högst realization.max_order, som är %2.</translation>
-    </message>
-    <message>
-        <source>The recipe %1 cannot be read: %2.</source>
-        <translation>Receptet %1 kan inte läsas: %2.</translation>
     </message>
     <message>
         <source>%1 holds the key &quot;%2&quot; twice; remove one of them.</source>
@@ -6927,34 +6939,6 @@ steget</translation>
         <translation>En jämförelse med en referensgivare kräver svaret på ett steg; slå av comparison.enabled med input.treatment &quot;impulse&quot;.</translation>
     </message>
     <message>
-        <source>The reference transducer&apos;s table has a column &apos;%1&apos;; it may have frequency_hz, magnitude, u_magnitude, phase_rad, u_phase_rad and dof.</source>
-        <translation>Referensgivarens tabell har en kolumn &apos;%1&apos;; den får ha frequency_hz, magnitude, u_magnitude, phase_rad, u_phase_rad och dof.</translation>
-    </message>
-    <message>
-        <source>The reference transducer&apos;s table has no column &apos;%1&apos;; its first line must name the columns.</source>
-        <translation>Referensgivarens tabell har ingen kolumn &apos;%1&apos;; dess första rad måste namnge kolumnerna.</translation>
-    </message>
-    <message>
-        <source>Line %1 of the reference transducer&apos;s table has &apos;%2&apos; for %3, which is no number with a decimal point.</source>
-        <translation>Rad %1 i referensgivarens tabell har &apos;%2&apos; för %3, vilket inte är ett tal med decimalpunkt.</translation>
-    </message>
-    <message>
-        <source>The reference transducer&apos;s certificate has %1 lists over frequency; name the one that is meant by its id in comparison.quantity_id.</source>
-        <translation>Referensgivarens certifikat har %1 listor över frekvens; ange den avsedda med dess id i comparison.quantity_id.</translation>
-    </message>
-    <message>
-        <source>The reference transducer&apos;s certificate has no list with the id &apos;%1&apos; of comparison.quantity_id, or several.</source>
-        <translation>Referensgivarens certifikat har ingen lista med id &apos;%1&apos; enligt comparison.quantity_id, eller flera.</translation>
-    </message>
-    <message>
-        <source>The list of the reference transducer&apos;s certificate needs frequencies, sensitivities in %1 and perhaps phases, as many of each, with expanded uncertainties and their coverage factors.</source>
-        <translation>Listan i referensgivarens certifikat behöver frekvenser, känsligheter i %1 och eventuellt faser, lika många av varje, med utvidgade osäkerheter och deras täckningsfaktorer.</translation>
-    </message>
-    <message>
-        <source>The reference transducer&apos;s file is XML, but no digital calibration certificate (%1); give that, or a table as CSV.</source>
-        <translation>Referensgivarens fil är XML men inget digitalt kalibreringscertifikat (%1); ange ett sådant, eller en tabell som CSV.</translation>
-    </message>
-    <message>
         <source>A comparison needs the reference transducer&apos;s sensitivity from one place: give comparison.source or comparison.model, not both and not neither.</source>
         <translation>En jämförelse behöver referensgivarens känslighet från ett ställe: ange comparison.source eller comparison.model, inte båda och inte ingetdera.</translation>
     </message>
@@ -6985,14 +6969,6 @@ steget</translation>
     <message>
         <source>degrees of freedom above 0</source>
         <translation>frihetsgrader över 0</translation>
-    </message>
-    <message>
-        <source>The reference transducer&apos;s table has no rows.</source>
-        <translation>Referensgivarens tabell har inga rader.</translation>
-    </message>
-    <message>
-        <source>Row %1 of the reference transducer&apos;s table, at %2 Hz, needs %3.</source>
-        <translation>Rad %1 i referensgivarens tabell, vid %2 Hz, behöver %3.</translation>
     </message>
     <message>
         <source>comparison.model needs sensitivity, f0_hz and zeta above 0, and no uncertainty below 0.</source>
@@ -7247,10 +7223,6 @@ steget</translation>
         <translation>Filen &apos;%1&apos; har kontrollsumman %2, men %3.sha256 kräver %4: den har ändrats, eller är en annan fil. Återställ den, eller ange den nya kontrollsumman.</translation>
     </message>
     <message>
-        <source>The file &apos;%1&apos; of chain.source is read as that of a reference transducer: %2</source>
-        <translation>Filen &apos;%1&apos; i chain.source läses som en referensgivares: %2</translation>
-    </message>
-    <message>
         <source>Least U of the laboratory (CMC), below which none is stated</source>
         <translation>Laboratoriets minsta U (CMC), under vilket inget anges</translation>
     </message>
@@ -7437,6 +7409,74 @@ steget</translation>
     <message>
         <source>Magnitude against the reference transducer and against the pressure step, less the mean of both</source>
         <translation>Belopp mot referensgivaren och mot trycksteget, minus medelvärdet av båda</translation>
+    </message>
+    <message>
+        <source>The file of %1 states a response from %2 to %3, the records have one from %4 to %5: nothing in common, so no S(f) can be stated. Give a file that covers the band.</source>
+        <translation>Filen för %1 anger ett svar från %2 till %3, registreringarna har ett från %4 till %5: inget gemensamt, så inget S(f) kan anges. Ange en fil som täcker bandet.</translation>
+    </message>
+    <message>
+        <source>The file of %1 has no row between %2 and %3: the response rests on a straight line there, and what that misses is in no uncertainty. Have the rows between calibrated, or give the reason why there is nothing between them.</source>
+        <translation>Filen för %1 har ingen rad mellan %2 och %3: frekvenssvaret vilar där på en rät linje, och vad den missar ingår inte i någon osäkerhet. Låt kalibrera raderna däremellan, eller ange skälet till att inget finns mellan dem.</translation>
+    </message>
+    <message>
+        <source>The correlation of &apos;%1&apos; with &apos;%2&apos; in uncertainty.correlations is used for nothing: it needs two quantities whose u stands in uncertainty.budget.</source>
+        <translation>Korrelationen mellan &apos;%1&apos; och &apos;%2&apos; i uncertainty.correlations används inte till något: den behöver två storheter vars u står i uncertainty.budget.</translation>
+    </message>
+    <message>
+        <source>Recipe key uncertainty.correlations holds &quot;%1&quot; with &quot;%2&quot; twice; leave one.</source>
+        <translation>Receptnyckeln uncertainty.correlations innehåller &quot;%1&quot; med &quot;%2&quot; två gånger; behåll en.</translation>
+    </message>
+    <message>
+        <source>The coefficients of recipe key uncertainty.correlations contradict each other (their matrix has the eigenvalue %1, it needs none below 0): what goes along with one quantity goes along with those that this one goes along with. Correct them.</source>
+        <translation>Koefficienterna i receptnyckeln uncertainty.correlations motsäger varandra (deras matris har egenvärdet %1, inget får vara under 0): det som följer en storhet följer också dem som denna följer. Rätta dem.</translation>
+    </message>
+    <message>
+        <source>The file %1 cannot be read: %2.</source>
+        <translation>Filen %1 kan inte läsas: %2.</translation>
+    </message>
+    <message>
+        <source>The file &apos;%1&apos; of %2.source cannot be used. %3</source>
+        <translation>Filen &apos;%1&apos; i %2.source kan inte användas. %3</translation>
+    </message>
+    <message>
+        <source>The table has a column &apos;%1&apos;; it may have frequency_hz, magnitude, u_magnitude, phase_rad, u_phase_rad and dof.</source>
+        <translation>Tabellen har en kolumn &apos;%1&apos;; den får ha frequency_hz, magnitude, u_magnitude, phase_rad, u_phase_rad och dof.</translation>
+    </message>
+    <message>
+        <source>The table has no column &apos;%1&apos;; its first line must name the columns.</source>
+        <translation>Tabellen saknar kolumnen &apos;%1&apos;; dess första rad måste namnge kolumnerna.</translation>
+    </message>
+    <message>
+        <source>Line %1 of the table has &apos;%2&apos; for %3, which is no number with a decimal point.</source>
+        <translation>Rad %1 i tabellen har &apos;%2&apos; för %3, vilket inte är ett tal med decimalpunkt.</translation>
+    </message>
+    <message>
+        <source>The certificate has %1 lists over frequency; name the one that is meant by its id in quantity_id.</source>
+        <translation>Certifikatet har %1 listor över frekvens; ange den avsedda genom dess id i quantity_id.</translation>
+    </message>
+    <message>
+        <source>The certificate has no list with the id &apos;%1&apos; of quantity_id, or several.</source>
+        <translation>Certifikatet har ingen lista med id &apos;%1&apos; ur quantity_id, eller flera.</translation>
+    </message>
+    <message>
+        <source>The list of the certificate needs frequencies, magnitudes in %1 and perhaps phases, as many of each, with expanded uncertainties and their coverage factors.</source>
+        <translation>Certifikatets lista behöver frekvenser, belopp i %1 och eventuellt faser, lika många av varje, med utvidgade osäkerheter och deras täckningsfaktorer.</translation>
+    </message>
+    <message>
+        <source>The file is XML, but no digital calibration certificate (%1); give that, or a table as CSV.</source>
+        <translation>Filen är XML, men inget digitalt kalibreringscertifikat (%1); ange ett sådant, eller en tabell som CSV.</translation>
+    </message>
+    <message>
+        <source>The table has no rows.</source>
+        <translation>Tabellen har inga rader.</translation>
+    </message>
+    <message>
+        <source>Row %1 of the table, at %2 Hz, needs %3.</source>
+        <translation>Rad %1 i tabellen, vid %2 Hz, behöver %3.</translation>
+    </message>
+    <message>
+        <source>an oscillation below 1 % of the step decides it, which may be the mount&apos;s</source>
+        <translation>en svängning under 1 % av steget avgör det, och den kan vara monteringens</translation>
     </message>
 </context>
 <context>

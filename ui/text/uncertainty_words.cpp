@@ -57,6 +57,8 @@ constexpr std::array<InputRow, 37> kInputRows{{
     {"aliasing", QT_TRANSLATE_NOOP("ShockBudget", "Sampling"), "", Own},
     {"drift", QT_TRANSLATE_NOOP("ShockBudget", "Drift that was divided out"), "", Own},
     {"front_duration_s", QT_TRANSLATE_NOOP("ShockBudget", "Duration of the front"), "", Own},
+    {"weak_mode", QT_TRANSLATE_NOOP("ShockBudget", "Weak oscillation, perhaps the mount's"), "",
+        Own},
     {"front_unknown", QT_TRANSLATE_NOOP("ShockBudget", "Front of unknown duration"), "", Own},
     {"onset_s", QT_TRANSLATE_NOOP("ShockBudget", "Onset of the step"), "", Own},
     {"reference_sensitivity", QT_TRANSLATE_NOOP("ShockBudget", "Certificate of the reference"), "",
