@@ -131,7 +131,6 @@ void DecisionPanel::showOutcome()
             if (field.id == "verdict" || field.id == "worst")
                 lines << tr("%1: %2").arg(translated(field.label), translated(field.value));
     m_outcome->setText(lines.join(QLatin1Char('\n')));
-    m_outcome->setVisible(!lines.isEmpty());
 }
 
 } // namespace dyncal

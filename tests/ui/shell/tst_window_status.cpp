@@ -159,7 +159,7 @@ void TestWindowStatus::stopped_namesTheStageToMend()
 void TestWindowStatus::faultWithoutAnId_leadsToItsPage()
 {
     const auto noFile = [](const std::shared_ptr<const CaptureSet> &captures, const Recipe &recipe,
-                            ResultCache &cache, StageId last, const JobControl &control) {
+                            ResultCache &cache, StageId, const JobControl &control) {
         PipelineOutcome outcome
             = test::samplePipeline(captures, recipe, cache, StageId::Window, control);
         outcome.failedStage = StageId::Reference;

@@ -57,13 +57,13 @@ private slots:
         QVERIFY(isEnabled("decisionWithin"));
         QCOMPARE(steps(), 0);
         m_bench->type("decisionWithinValue", "5");
-        QVERIFY(label("decisionNote").isVisible() && label("decisionNote").text().contains("From"));
+        QVERIFY(label("decisionNote").text().contains("From"));
         QVERIFY(!decision());
         m_bench->type("decisionFromValue", "1");
         m_bench->type("decisionToValue", "100");
         QCOMPARE(steps(), 1);
         QVERIFY((decision() == DecisionSettings{DecisionRule::GuardBand, 5.0, 1e3, 1e5}));
-        QVERIFY(!label("decisionNote").isVisible());
+        QVERIFY(label("decisionNote").text().isEmpty());
         m_bench->session.undoStack().undo();
         QCOMPARE(m_bench->control<QComboBox>("decisionRule")->currentIndex(), 0);
         QCOMPARE(m_bench->control<QLineEdit>("decisionToValue")->text(), QString());
@@ -114,7 +114,7 @@ private slots:
     {
         m_bench = std::make_unique<Bench>(testing::simulatedExample(1e7, 0.006));
         QTRY_VERIFY_WITH_TIMEOUT(m_bench->session.results().uncertainty, 30000);
-        QVERIFY(!label("decisionOutcome").isVisible());
+        QVERIFY(label("decisionOutcome").text().isEmpty());
         m_bench->choose("decisionRule", 1);
         claim("50", "2", "50");
         const auto section = conformitySection(m_bench->session.results(), m_bench->recipe());

@@ -195,7 +195,6 @@ void SourcePanel::showRecipe(const Recipe &recipe)
         return; // a certificate is not read again at every change of the recipe
     showLists(recipe);
     m_stated->setText(path.empty() ? QString() : stated(recipe));
-    m_stated->setVisible(!path.empty());
 }
 
 void SourcePanel::showLists(const Recipe &recipe)

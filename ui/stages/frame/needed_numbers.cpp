@@ -30,7 +30,6 @@ OptionalEdit *NeededNumbers::add(
 void NeededNumbers::addNote(const QString &objectName)
 {
     m_note = m_form.addNote(objectName);
-    m_note->hide();
 }
 
 void NeededNumbers::take(std::size_t at, const std::optional<double> &value)
@@ -88,8 +87,9 @@ void NeededNumbers::showAll()
     const bool isBegun = missing.size() < static_cast<qsizetype>(m_numbers.size());
     if (!m_note)
         return;
-    m_note->setVisible(isBegun && !missing.isEmpty());
-    m_note->setText(tr("Not used yet; still needed: %1.").arg(missing.join(QStringLiteral(", "))));
+    m_note->setText(isBegun && !missing.isEmpty()
+            ? tr("Not used yet; still needed: %1.").arg(missing.join(QStringLiteral(", ")))
+            : QString());
 }
 
 } // namespace dyncal
