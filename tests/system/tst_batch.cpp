@@ -501,7 +501,7 @@ void TestBatch::wrongUse_isSaid_data()
               QTest::newRow(name) << arguments << exitCode << QByteArray(said);
           };
     row("no part", {"batch"}, 4, "subcommand");
-    row("unknown part", {"batch", "start"}, 4, "start");
+    row("unknown part", {"batch", "start"}, 4, "subcommand is required");
     row("no plan", {"batch", "run", "%1/none.jsonl"}, 3, "none.jsonl");
     row("plan is a recording", {"batch", "run", "%1/in/SN-1/shot.h5"}, 4, "Line 1");
     row("plan is a folder", {"batch", "status", "%1/in"}, 3, "%1/in");
