@@ -217,11 +217,8 @@ void TestBatchPlanning::ownRecipe_broken_isAnObstacle()
 void TestBatchPlanning::unreadable_isAnObstacle()
 {
     const Laboratory laboratory;
-    const std::string path = laboratory.folder.file("in/SN-2/y.csv");
-    writeRecording(path, 4);
-    fs::permissions(path, fs::perms::none);
-    if (!sha256OfFile(path).empty())
-        QSKIP("This user may read everything.");
+    // Nobody can read the first bytes of it, whatever the rights.
+    fs::create_symlink("/proc/self/mem", laboratory.folder.file("in/SN-2/y.csv"));
     QVERIFY(laboratory.plan()[1].obstacle.find("y.csv") != std::string::npos);
 }
 
