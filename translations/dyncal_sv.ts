@@ -7478,6 +7478,90 @@ steget</translation>
         <source>an oscillation below 1 % of the step decides it, which may be the mount&apos;s</source>
         <translation>en svängning under 1 % av steget avgör det, och den kan vara monteringens</translation>
     </message>
+    <message>
+        <source>The plan was made for other versions of the methods than this program has (first for %1); make the plan anew, then what changed is computed again.</source>
+        <translation>Planen gjordes för andra versioner av metoderna än detta programs (först för %1); gör om planen, så räknas det som ändrats på nytt.</translation>
+    </message>
+    <message>
+        <source>The process that computed it was ended by signal %1: it crashed, or the system ended it for want of memory.</source>
+        <translation>Processen som räknade avslutades av signal %1: den kraschade, eller så avslutade systemet den av minnesbrist.</translation>
+    </message>
+    <message>
+        <source>The system could start no process for a sensor; close other programs or raise the limit of processes. What was computed is kept.</source>
+        <translation>Systemet kunde inte starta någon process för en givare; stäng andra program eller höj gränsen för processer. Det som räknats är kvar.</translation>
+    </message>
+    <message>
+        <source>The results were not as they were written and are now in %1; they are computed anew.</source>
+        <translation>Resultaten var inte längre som de skrevs och finns nu i %1; de räknas på nytt.</translation>
+    </message>
+    <message>
+        <source>The folder %1 cannot be entered; check that you may.</source>
+        <translation>Mappen %1 kan inte öppnas; kontrollera att du får det.</translation>
+    </message>
+    <message>
+        <source>Its process ended without an answer (%1); run the batch again.</source>
+        <translation>Dess process slutade utan svar (%1); kör satsen igen.</translation>
+    </message>
+    <message>
+        <source>%1 of %2 sensors are missing, the first is %3; run the batch, or merge what there is with --partial.</source>
+        <translation>%1 av %2 givare saknas, den första är %3; kör satsen, eller sammanställ det som finns med --partial.</translation>
+    </message>
+    <message>
+        <source>%1 is no sensor of a batch (schema %2 with id, source, inputs, hashes and an output below the plan); make the plan anew with dyncal batch plan.</source>
+        <translation>%1 är ingen givare i en sats (schema %2 med id, source, inputs, hashvärden och en output under planen); gör om planen med dyncal batch plan.</translation>
+    </message>
+    <message>
+        <source>%1 names &quot;%2&quot;, as an earlier line does; one of the two has to go, or make the plan anew.</source>
+        <translation>%1 nämner &quot;%2&quot;, som en tidigare rad gör; ta bort en av dem eller gör om planen.</translation>
+    </message>
+    <message>
+        <source>The plan %1 cannot be read; check the name, or make it with dyncal batch plan.</source>
+        <translation>Planen %1 kan inte läsas; kontrollera namnet, eller gör den med dyncal batch plan.</translation>
+    </message>
+    <message>
+        <source>%1 cannot be read; check that you may read it.</source>
+        <translation>%1 kan inte läsas; kontrollera att du får läsa den.</translation>
+    </message>
+    <message>
+        <source>The plan %1 would lie below %2, where the recordings are, and the results with it; give the plan a place outside.</source>
+        <translation>Planen %1 skulle ligga under %2, där mätfilerna finns, och resultaten med den; ge planen en plats utanför.</translation>
+    </message>
+    <message>
+        <source>There is no recording below %1; readable are the files that dyncal info reads, in a folder for each sensor or, with --each-file, one file for each.</source>
+        <translation>Det finns ingen mätfil under %1; läsbara är de filer som dyncal info läser, i en mapp för varje givare eller, med --each-file, en fil för varje.</translation>
+    </message>
+    <message>
+        <source>--for is &quot;%1&quot;; it needs slurm, parallel or make.</source>
+        <translation>--for är &quot;%1&quot;; det behöver slurm, parallel eller make.</translation>
+    </message>
+    <message>
+        <source>The name %1 holds a line break, which a script cannot pass on; rename it.</source>
+        <translation>Namnet %1 innehåller en radbrytning, som ett skript inte kan föra vidare; byt namn.</translation>
+    </message>
+    <message>
+        <source>--shard is &quot;%1&quot;; it needs K/N, whole numbers with K from 1 to N and N at most 1000000, for example 3/7.</source>
+        <translation>--shard är &quot;%1&quot;; det behöver K/N, heltal med K från 1 till N och N högst 1000000, till exempel 3/7.</translation>
+    </message>
+    <message>
+        <source>%1 is not as it was when the batch was planned; make the plan anew (dyncal batch plan), then only what changed is computed again.</source>
+        <translation>%1 är inte som när satsen planerades; gör om planen (dyncal batch plan), så räknas bara det som ändrats på nytt.</translation>
+    </message>
+    <message>
+        <source>The folder holds files but no recording; readable are: %1. Put recordings there, or move it out of what is planned.</source>
+        <translation>Mappen innehåller filer men ingen mätfil; läsbara är: %1. Lägg mätfiler där, eller flytta den från det som planeras.</translation>
+    </message>
+    <message>
+        <source>This is a link to a folder, which is not followed; plan the folder that it leads to.</source>
+        <translation>Detta är en länk till en mapp, som inte följs; planera mappen som den leder till.</translation>
+    </message>
+    <message>
+        <source>Recordings lie directly in the folder that is planned and belong to no sensor; put them into a folder of their own, or give --each-file.</source>
+        <translation>Mätfiler ligger direkt i mappen som planeras och hör inte till någon givare; lägg dem i en egen mapp, eller ange --each-file.</translation>
+    </message>
+    <message>
+        <source>The name is no valid UTF-8, so no plan can hold it; rename it.</source>
+        <translation>Namnet är inte giltig UTF-8, så ingen plan kan innehålla det; byt namn.</translation>
+    </message>
 </context>
 <context>
     <name>dyncal::ArrivalPanel</name>

@@ -3,7 +3,6 @@
 
 #include "app/base/interrupt.h"
 
-#include <csignal>
 #include <system_error>
 #include <thread>
 #include <utility>
@@ -31,19 +30,9 @@ sigset_t endSignals()
     return signals;
 }
 
-std::stop_source startWatching()
-{
-    std::stop_source source;
-    onEndRequest([source](int) mutable { source.request_stop(); });
-    return source;
-}
-
-} // namespace
-
 /// Signals are waited for on a thread of their own: a handler may do next to nothing.
-void onEndRequest(std::function<void(int)> end)
+void watchFor(const sigset_t &signals, std::function<void(int)> end)
 {
-    const sigset_t signals = endSignals();
     if (sigisemptyset(&signals) != 0)
         return;
     pthread_sigmask(SIG_BLOCK, &signals, nullptr);
@@ -60,10 +49,39 @@ void onEndRequest(std::function<void(int)> end)
     }
 }
 
-std::stop_token interruptToken()
+std::stop_source startWatching()
+{
+    std::stop_source source;
+    onEndRequest([source](int) mutable { source.request_stop(); });
+    return source;
+}
+
+const std::stop_source &interruptSource()
 {
     static const std::stop_source source = startWatching();
-    return source.get_token();
+    return source;
+}
+
+} // namespace
+
+void onEndRequest(std::function<void(int)> end)
+{
+    watchFor(endSignals(), std::move(end));
+}
+
+std::stop_token interruptToken()
+{
+    return interruptSource().get_token();
+}
+
+void takeStopsFromParent()
+{
+    for (const int number : {SIGINT, SIGTERM, SIGHUP})
+        std::signal(number, SIG_IGN);
+    sigset_t signals;
+    sigemptyset(&signals);
+    sigaddset(&signals, kStopChild);
+    watchFor(signals, [source = interruptSource()](int) mutable { source.request_stop(); });
 }
 
 } // namespace dyncal

@@ -3,6 +3,7 @@
 
 #pragma once
 
+#include <csignal>
 #include <functional>
 #include <stop_token>
 
@@ -16,5 +17,14 @@ void onEndRequest(std::function<void(int)> end);
 /// From the first call on, Ctrl-C, SIGTERM and SIGHUP ask running work to stop through this token,
 /// so that no half-written file is left. Call it before any thread is started, as onEndRequest().
 std::stop_token interruptToken();
+
+/// The signal by which a program asks its child processes to stop.
+inline constexpr int kStopChild = SIGUSR1;
+
+/// To be called in a forked child process of a program that has called interruptToken(): from now
+/// on kStopChild asks for the stop, and the signals that the terminal or a cluster sends to all
+/// processes at once are left to the parent, which decides what they mean. A second kStopChild ends
+/// the process at once.
+void takeStopsFromParent();
 
 } // namespace dyncal

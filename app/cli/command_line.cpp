@@ -24,8 +24,8 @@
 namespace dyncal {
 namespace {
 
-constexpr std::array<std::string_view, 8> kVerbs{
-    "simulate", "info", "import", "check", "run", "compare", "export", "correct"};
+constexpr std::array<std::string_view, 9> kVerbs{
+    "simulate", "info", "import", "check", "run", "batch", "compare", "export", "correct"};
 /// Files open at once while a recording is read and results are written.
 constexpr int kFilesOfAVerb = 12;
 /// A word that differs by more letters than this is not taken for a misspelt subcommand.
@@ -63,6 +63,7 @@ int parseAndAct(int argc, char **argv)
     addImport(program, action);
     addCheck(program, action);
     addRun(program, action);
+    addBatch(program, action);
     addCompare(program, action);
     addExport(program, action);
     addCorrect(program, action);

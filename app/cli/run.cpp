@@ -3,9 +3,9 @@
 
 #include "app/base/clock.h"
 #include "app/cli/calibration.h"
+#include "app/cli/calibration_run.h"
 #include "app/cli/console.h"
 #include "app/cli/recipe_options.h"
-#include "app/cli/run_output.h"
 #include "app/cli/run_summary.h"
 #include "app/cli/verbs.h"
 
@@ -31,12 +31,6 @@ Result<Recipe> recipeOf(const RunOptions &options)
     return recipe ? withOrder(*recipe, options.order) : recipe;
 }
 
-/// Whether an error leaves results that are worth keeping: the data were at fault, not the call.
-bool keepsResults(const Error &error)
-{
-    return error.kind == ErrorKind::DataBlocked;
-}
-
 /// Prints the summary and the files written; the exit code.
 int conclude(
     const PipelineOutcome &outcome, const Recipe &recipe, const std::vector<std::string> &paths)
@@ -55,20 +49,9 @@ int run(const RunOptions &options)
     const Result<Recipe> recipe = recipeOf(options);
     if (!recipe)
         return report(recipe.error());
-    const Result<CaptureSet> set = readForCalibration(options.files, *recipe);
-    if (!set)
-        return report(set.error());
-    Result<FolderWrite> folder
-        = FolderWrite::begin(runFolder(options.output, *set, options.recipe.files()));
-    if (!folder)
-        return report(folder.error());
-    const PipelineOutcome outcome = calibrate(*set, *recipe);
-    if (outcome.error && !keepsResults(*outcome.error))
-        return report(*outcome.error);
-    const Result<std::vector<std::string>> paths = writeRun(outcome, *recipe, *created, *folder);
-    if (!paths)
-        return report(paths.error());
-    return conclude(outcome, *recipe, *paths);
+    const Result<FinishedRun> done
+        = calibrateInto({options.files, *recipe, options.recipe.files(), options.output, *created});
+    return done ? conclude(done->outcome, *recipe, done->paths) : report(done.error());
 }
 
 } // namespace

@@ -10,9 +10,9 @@
 namespace dyncal {
 
 Result<std::vector<std::string>> writeRun(const PipelineOutcome &outcome, const Recipe &recipe,
-    const std::string &createdUtc, FolderWrite &folder)
+    const std::string &createdUtc, FolderWrite &folder, const std::string &record)
 {
-    RunFiles run{outcome, recipe, createdUtc, {}};
+    RunFiles run{outcome, recipe, createdUtc, {}, record};
     if (mayPublish(outcome)) {
         Result<std::vector<DrawnFile>> drawn
             = drawWithoutWindow(outcome.results, recipe, createdUtc);

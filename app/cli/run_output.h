@@ -8,8 +8,9 @@
 namespace dyncal {
 
 /// Draws what `dyncal run` promises and writes it all (writeRunFiles). Certificate and plots only
-/// if the results may be published. For a program without a window (drawWithoutWindow).
+/// if the results may be published. For a program without a window (drawWithoutWindow). `record`:
+/// as RunFiles::record.
 Result<std::vector<std::string>> writeRun(const PipelineOutcome &outcome, const Recipe &recipe,
-    const std::string &createdUtc, FolderWrite &folder);
+    const std::string &createdUtc, FolderWrite &folder, const std::string &record = {});
 
 } // namespace dyncal

@@ -18,6 +18,7 @@ void addInfo(CLI::App &program, VerbAction &action);
 void addImport(CLI::App &program, VerbAction &action);
 void addCheck(CLI::App &program, VerbAction &action);
 void addRun(CLI::App &program, VerbAction &action);
+void addBatch(CLI::App &program, VerbAction &action);
 void addCompare(CLI::App &program, VerbAction &action);
 void addExport(CLI::App &program, VerbAction &action);
 void addCorrect(CLI::App &program, VerbAction &action);

@@ -13,4 +13,7 @@ namespace dyncal {
 /// texts hold, and nothing in it that acts on a terminal (presentableJson). Ends with a line break.
 std::string jsonText(const nlohmann::json &json);
 
+/// The same on one line, for files with a value on each. Ends with a line break.
+std::string jsonLine(const nlohmann::json &json);
+
 } // namespace dyncal

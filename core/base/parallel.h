@@ -3,6 +3,7 @@
 
 #pragma once
 
+#include "core/base/allowed_threads.h"
 #include "core/base/index.h"
 #include "core/base/lanes.h"
 
@@ -21,7 +22,7 @@ namespace dyncal {
 template <typename Function>
 void forEachPart(Index parts, bool worthAThread, const Function &f)
 {
-    if (!worthAThread || parts < 2 || std::thread::hardware_concurrency() < 2) {
+    if (!worthAThread || parts < 2 || allowedThreads() < 2) {
         for (Index part = 0; part < parts; ++part)
             f(part);
         return;

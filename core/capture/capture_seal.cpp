@@ -3,6 +3,7 @@
 
 #include "core/capture/capture_seal.h"
 
+#include "core/base/allowed_threads.h"
 #include "core/base/content_hash.h"
 
 #include <sys/stat.h>
@@ -58,8 +59,8 @@ public:
     Result<void> run()
     {
         constexpr std::chrono::milliseconds kReport{50};
-        const auto when
-            = m_totalBytes < kWorthAThread ? std::launch::deferred : kThreadWhereThereIsOne;
+        const bool isAlone = m_totalBytes < kWorthAThread || allowedThreads() < 2;
+        const auto when = isAlone ? std::launch::deferred : kThreadWhereThereIsOne;
         std::future<Result<void>> files = std::async(when, [this] { return sealInputs(); });
         const Result<void> channels = sealChannels();
         m_givenUp = !channels;

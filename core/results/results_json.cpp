@@ -7,6 +7,7 @@
 #include "core/base/version.h"
 #include "core/pipeline/calibration_kind.h"
 #include "core/pipeline/stage_table.h"
+#include "core/results/method_versions.h"
 #include "core/results/results_analysis_json.h"
 #include "core/results/results_checks_json.h"
 #include "core/results/results_conformity_json.h"
@@ -27,28 +28,10 @@ using Json = JsonRecord::Json;
 
 constexpr const char *kSchema = "dyncal-results/1";
 
-/// "Monte Carlo" -> "monte_carlo".
-std::string keyOf(std::string name)
-{
-    for (char &c : name)
-        c = c == ' ' ? '_' : c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
-    return name;
-}
-
-Json methodVersions()
-{
-    Json versions = Json::object();
-    for (int i = 0; i < kStageCount; ++i) {
-        const Stage &stage = stageOf(static_cast<StageId>(i));
-        versions[keyOf(stage.name)] = stage.method;
-    }
-    return versions;
-}
-
 Json software()
 {
     return {{"name", "dyncal"}, {"version", versionText()}, {"build", buildText()},
-        {"method", methodVersions()}};
+        {"method", Json(methodVersions())}};
 }
 
 Json findingJson(const Finding &finding)

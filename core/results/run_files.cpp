@@ -19,8 +19,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::array<std::string_view, 4> kDocuments{
-    "results.json", "recipe.json", "certificate.pdf", "dcc.xml"};
+constexpr std::array<std::string_view, 5> kDocuments{
+    "results.json", "recipe.json", "certificate.pdf", "dcc.xml", kBatchRecord};
 
 bool isModelName(const std::string &name)
 {
@@ -138,7 +138,8 @@ Result<std::vector<std::string>> writeRunFiles(
     const RunFiles &run, FolderWrite &folder, const JobControl &control)
 {
     if (!run.drawn.empty() && !mayPublish(run.outcome))
-        return writeRunFiles({run.outcome, run.recipe, run.createdUtc, {}}, folder, control);
+        return writeRunFiles(
+            {run.outcome, run.recipe, run.createdUtc, {}, run.record}, folder, control);
     const CalibrationResults shown
         = mayPublish(run.outcome) ? run.outcome.results : CalibrationResults();
     const std::vector<CsvFile> tables = resultsCsv(shown);
@@ -155,6 +156,8 @@ Result<std::vector<std::string>> writeRunFiles(
         files.push_back({"model/" + file.name, file.bytes});
     for (const DrawnFile &file : run.drawn)
         files.push_back({file.name, file.bytes});
+    if (!run.record.empty())
+        files.push_back({kBatchRecord, run.record});
     files.push_back({"results.json", json});
     if (const Result<void> written = folder.commit(files, control); !written)
         return tl::unexpected<Error>(written.error());

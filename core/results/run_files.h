@@ -25,7 +25,11 @@ struct RunFiles
     Recipe recipe;
     std::string createdUtc; ///< ISO 8601 with Z
     std::vector<DrawnFile> drawn; ///< none of a run that may not be published
+    std::string record = {}; ///< of a batch: what kBatchRecord is to hold; empty: none is written
 };
+
+/// Name of the file by which a batch knows what it has computed.
+inline constexpr const char *kBatchRecord = "batch.json";
 
 /// The folder of a run: what it writes there, and that it may hold no recording of `set`. Nothing
 /// is put there if the recordings are not whole when it is to be (checkStillWhole). `settings`:

@@ -6,13 +6,12 @@
 #include "core/base/free_memory.h"
 #include "core/capture/capture_seal.h"
 #include "core/capture/joined_captures.h"
-#include "core/capture/natural_order.h"
 #include "core/capture/opening/channel_files.h"
+#include "core/capture/opening/folder_files.h"
 #include "core/capture/opening/format_registry.h"
 
 #include <algorithm>
 #include <filesystem>
-#include <iterator>
 #include <system_error>
 
 namespace dyncal {
@@ -26,28 +25,6 @@ struct Candidate
     std::string path;
     bool named = true;
 };
-
-Result<std::vector<Candidate>> filesIn(const std::string &folder)
-{
-    std::vector<Candidate> files;
-    std::error_code error;
-    for (fs::directory_iterator entry(folder, error), end; !error && entry != end;
-         entry.increment(error)) {
-        const bool hidden = entry->path().filename().string().starts_with('.');
-        const bool companion = entry->path().extension() == ".tdms_index"; // one per TDMS file
-        std::error_code unknown;
-        if (!hidden && !companion && entry->is_regular_file(unknown))
-            files.push_back({entry->path().string(), false});
-    }
-    if (error)
-        return fail(ErrorKind::FileUnreadable,
-            {DYNCAL_TEXT("core", "The folder %1 cannot be listed; check that you may read it."),
-                {folder}},
-            "CAP-018");
-    std::sort(files.begin(), files.end(),
-        [](const Candidate &a, const Candidate &b) { return naturalLess(a.path, b.path); });
-    return files;
-}
 
 /// In a folder other files are normal (info); a recording that cannot be read is not (caution).
 Finding skippedFile(const Error &error)
@@ -121,8 +98,9 @@ std::vector<Candidate> candidates(const std::vector<std::string> &paths, Capture
         std::error_code error;
         if (!fs::is_directory(path, error)) {
             files.push_back({path, true});
-        } else if (Result<std::vector<Candidate>> found = filesIn(path); found) {
-            std::move(found->begin(), found->end(), std::back_inserter(files));
+        } else if (const auto found = filesOfFolder(path); found) {
+            for (const std::string &file : *found)
+                files.push_back({file, false});
         } else {
             joiner.addProblem(found.error());
         }

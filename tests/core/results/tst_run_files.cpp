@@ -56,6 +56,7 @@ private slots:
     void write_completeRun_givesEveryFile();
     void write_runWithoutResults_givesRecipeAndResultsOnly();
     void write_blockedRun_givesRecipeAndResultsOnly();
+    void write_ofABatch_hasItsRecord();
     void write_overAnEarlierRun_removesItsFilesOnly();
     void write_resultsJson_isTheLast();
     void write_stoppedAtAnyFile_changesNothing();
@@ -94,6 +95,23 @@ void TestRunFiles::write_completeRun_givesEveryFile()
     for (const ModelFile &file : modelFiles(run.outcome.results))
         QCOMPARE(bytesOf(folder.filePath("model/" + QString::fromStdString(file.name))),
             QByteArray::fromStdString(file.bytes));
+}
+
+/// A plain run into the same folder takes the record away: it is of other results then.
+void TestRunFiles::write_ofABatch_hasItsRecord()
+{
+    const QTemporaryDir folder;
+    RunFiles run = exampleRun();
+    run.record = "{\"key\": 1}";
+    QVERIFY(writeInto(folder.path(), run).has_value());
+    QCOMPARE(bytesOf(folder.filePath(kBatchRecord)), QByteArray("{\"key\": 1}"));
+    QVERIFY(bytesOf(folder.filePath("written.json")).contains("\"batch.json\""));
+    QVERIFY(writeInto(folder.path(), exampleRun()).has_value());
+    QVERIFY(!QFile::exists(folder.filePath(kBatchRecord)));
+    run.outcome.error = Error{ErrorKind::DataBlocked, {"Blocked.", {}}, "CAP-009", 1};
+    QVERIFY(writeInto(folder.path(), run).has_value());
+    QCOMPARE(bytesOf(folder.filePath(kBatchRecord)), QByteArray("{\"key\": 1}"));
+    QVERIFY(!QFile::exists(folder.filePath("certificate.pdf")));
 }
 
 void TestRunFiles::write_runWithoutResults_givesRecipeAndResultsOnly()

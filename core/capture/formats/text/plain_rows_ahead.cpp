@@ -3,6 +3,7 @@
 
 #include "core/capture/formats/text/plain_rows_ahead.h"
 
+#include "core/base/allowed_threads.h"
 #include "core/capture/formats/text/text_source.h"
 
 #include <algorithm>
@@ -20,8 +21,7 @@ constexpr std::size_t kPartsPerThread = 2; ///< one being read and one waiting f
 /// Number of threads that pay off, with the owner's.
 std::uint64_t threadsFor(std::uint64_t bytes)
 {
-    const std::uint64_t cores
-        = std::clamp<std::uint64_t>(std::thread::hardware_concurrency(), 1, kMostThreads);
+    const std::uint64_t cores = std::min<std::uint64_t>(allowedThreads(), kMostThreads);
     return std::clamp<std::uint64_t>(bytes / kThreadBytes, 1, cores);
 }
 

@@ -1,0 +1,31 @@
+// SPDX-FileCopyrightText: 2026 The Dyncal authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "core/results/method_versions.h"
+
+#include "core/pipeline/stage_table.h"
+
+namespace dyncal {
+namespace {
+
+/// "Monte Carlo" -> "monte_carlo".
+std::string keyOf(std::string name)
+{
+    for (char &c : name)
+        c = c == ' ' ? '_' : c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+    return name;
+}
+
+} // namespace
+
+MethodVersions methodVersions()
+{
+    MethodVersions versions;
+    for (int i = 0; i < kStageCount; ++i) {
+        const Stage &stage = stageOf(static_cast<StageId>(i));
+        versions[keyOf(stage.name)] = stage.method;
+    }
+    return versions;
+}
+
+} // namespace dyncal

@@ -1,0 +1,17 @@
+// SPDX-FileCopyrightText: 2026 The Dyncal authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#pragma once
+
+#include <map>
+#include <string>
+
+namespace dyncal {
+
+/// The version of each stage's method by the stage's name in results.json ("monte_carlo" -> 1): two
+/// programs with equal versions give equal numbers (docs/accuracy.md).
+using MethodVersions = std::map<std::string, int>;
+
+MethodVersions methodVersions();
+
+} // namespace dyncal
