@@ -95,9 +95,11 @@ void addVelocity(JsonRecord &record, const ShockConditions &shock)
         record.missing("attenuation_applied", reason);
 }
 
-Json budgetJson(const GumBudget &budget)
+constexpr double kCoverageOfLines = 0.95;
+
+Json budgetJson(const GumBudget &budget, StepResult of)
 {
-    constexpr auto kStep = static_cast<Index>(StepResult::Step);
+    const auto result = static_cast<Index>(of);
     Json lines = Json::array();
     for (std::size_t i = 0; i < budget.lines.size(); ++i) {
         const BudgetLine &line = budget.lines[i];
@@ -108,12 +110,29 @@ Json budgetJson(const GumBudget &budget)
         record.set("distribution", distributionName(line.input.distribution));
         record.number("dof", line.input.dof, "Infinite.");
         record.set("common_to_all_shots", line.input.common);
-        record.number("sensitivity", line.sensitivity[kStep], "Not determined.");
-        record.number("contribution", line.contribution[kStep], "Not determined.");
-        record.number("share_percent", budget.sharePercent(i, kStep), "Not determined.");
+        record.number("sensitivity", line.sensitivity[result], "Not determined.");
+        record.number("contribution", line.contribution[result], "Not determined.");
+        record.number("share_percent", budget.sharePercent(i, result), "Not determined.");
         lines.push_back(record.take());
     }
     return lines;
+}
+
+/// "step_dof", "step_k", "step_budget"; null where u is not known.
+void addLines(JsonRecord &record, const char *of, const ShockConditions &shock, StepResult result,
+    const std::string &reason)
+{
+    const std::string name = of;
+    if (!shock.uncertainty || !shock.uncertainty->u(result)) {
+        for (const char *part : {"_dof", "_k", "_budget"})
+            record.missing(name + part, reason);
+        return;
+    }
+    const GumBudget &budget = shock.uncertainty->budget;
+    const double dof = budget.dof[static_cast<Index>(result)];
+    record.number(name + "_dof", dof, "Infinite.");
+    record.number(name + "_k", coverageFactor(dof, kCoverageOfLines), "Not determined.");
+    record.set(name + "_budget", budgetJson(budget, result));
 }
 
 void addMonteCarlo(JsonRecord &record, const ShotMonteCarlo *shot)
@@ -152,16 +171,12 @@ void addUncertainty(
         ? "The step is typed, without an uncertainty (step_relative in uncertainty.budget)."
         : reason;
     record.number("u_step_pa", u_step_Pa, noStep);
-    if (!u_step_Pa) {
-        record.missing("step_dof", reason);
-        record.missing("step_budget", reason);
+    addLines(record, "velocity", shock, StepResult::Velocity, reason);
+    addLines(record, "step", shock, StepResult::Step, reason);
+    if (u_step_Pa)
+        addMonteCarlo(record, monteCarlo);
+    else
         record.missing("monte_carlo", reason);
-        return;
-    }
-    record.number("step_dof", shock.uncertainty->budget.dof[static_cast<Index>(StepResult::Step)],
-        "Infinite.");
-    record.set("step_budget", budgetJson(shock.uncertainty->budget));
-    addMonteCarlo(record, monteCarlo);
 }
 
 void addPlateau(JsonRecord &record, const ShockConditions &shock, const std::string &noVelocity)

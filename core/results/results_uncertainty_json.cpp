@@ -40,16 +40,52 @@ void addLines(const std::string &of, const ReportedValue &reported, UncertaintyJ
         list.push_back(lineJson(of, line, reported));
 }
 
-/// The budget of each row of S(f): "response.magnitude[3]", "response.phase_rad[3]".
-void addRowLines(const ResponseResult &response, const RowUncertainty &rows, UncertaintyJson &list)
+std::string placeOf(std::size_t i)
+{
+    return "[" + std::to_string(i) + "]";
+}
+
+/// The budget of each row of S(f): "response.magnitude[3]", "response.phase_rad[3]"; of those at
+/// the marked frequencies with `of` "response.marked", of a comparison "comparison".
+void addRowLines(const std::string &of, const ResponseResult &response, const RowUncertainty &rows,
+    UncertaintyJson &list)
 {
     for (Index i = 0; i < rows.u_phase_rad.size(); ++i) {
-        const std::string place = "[" + std::to_string(i) + "]";
+        const std::string place = placeOf(static_cast<std::size_t>(i));
         if (std::isfinite(rows.u_magnitude[i]))
-            addLines("response.magnitude" + place, magnitudeOfRow(response, rows, i), list);
+            addLines(of + ".magnitude" + place, magnitudeOfRow(response, rows, i), list);
         if (std::isfinite(rows.u_phase_rad[i]))
-            addLines("response.phase_rad" + place, phaseOfRow(response, rows, i), list);
+            addLines(of + ".phase_rad" + place, phaseOfRow(response, rows, i), list);
     }
+}
+
+void addResponseLines(const std::string &of, const ResponseResult &response,
+    const UncertaintyReport &report, UncertaintyJson &list)
+{
+    if (response.u_noiseMagnitude.size() == report.rows.u_phase_rad.size())
+        addRowLines(of, response, report.rows, list);
+    if (response.atMarks)
+        addRowLines(of + ".marked", *response.atMarks, report.rowsAtMarks, list);
+}
+
+/// In the order of the summary's levels and of the shots.
+void addSensitivityLines(const UncertaintyReport &report, UncertaintyJson &list)
+{
+    if (report.sensitivity)
+        addLines("sensitivity", *report.sensitivity, list);
+    for (std::size_t i = 0; i < report.perLevel.size(); ++i)
+        addLines("sensitivity.per_level" + placeOf(i), report.perLevel[i], list);
+    for (std::size_t i = 0; i < report.ofShots.size(); ++i)
+        addLines("shots" + placeOf(i) + ".sensitivity", report.ofShots[i], list);
+}
+
+/// Of a comparison beside the response by the step; against a transducer it is the response itself.
+void addComparisonLines(const CalibrationResults &results, UncertaintyJson &list)
+{
+    const auto &comparison = results.comparison;
+    if (comparison && comparison->byTransducer && !results.response->isByTransducer)
+        addResponseLines("comparison", comparison->byTransducer->response,
+            comparison->byTransducer->report, list);
 }
 
 UncertaintyJson characteristicJson(const ReportedValue &one)
@@ -114,14 +150,15 @@ void addBudget(JsonRecord &root, const ResultsContext &context)
         root.missing("budget", context.whyMissing());
     } else {
         UncertaintyJson list = UncertaintyJson::array();
-        if (report->sensitivity)
-            addLines("sensitivity", *report->sensitivity, list);
+        addSensitivityLines(*report, list);
         for (const ReportedValue &one : report->ofModel)
             addLines(one.of, one, list);
         const ResponseResult *response = context.results().response.get();
         const bool isShort = response && response->frequency_Hz.size() <= kMostRows;
-        if (isShort && response->u_noiseMagnitude.size() == report->rows.u_phase_rad.size())
-            addRowLines(*response, report->rows, list);
+        if (isShort) {
+            addResponseLines("response", *response, *report, list);
+            addComparisonLines(context.results(), list);
+        }
         root.set("budget", std::move(list));
         root.set("budget_reason",
             isShort

@@ -17,11 +17,23 @@ def stated_values(results):
     values = {"sensitivity": tuple(mean.get(key) for key in ("u", "k", "dof"))}
     for one in results["characteristics"]:
         values[one["quantity"]] = one["u"], one["k"], one["dof"]
-    for k in range(len(response["u_magnitude"] or [])):
-        values[f"response.magnitude[{k}]"] = (response["u_magnitude"][k], response["k_magnitude"][k],
-                                              response["dof"][k])
-        values[f"response.phase_rad[{k}]"] = response["u_phase_rad"][k], response["k_phase"][k], "not stated"
+    for i, one in enumerate(mean.get("per_level") or []):
+        values[f"sensitivity.per_level[{i}]"] = one["u"], one["k"], one["dof"]
+    for i, one in enumerate(results["shots"] or []):
+        values[f"shots[{i}].sensitivity"] = one.get("u_sensitivity"), one.get("k_sensitivity"), "not stated"
+    values |= row_values("response", response) | row_values("response.marked", response.get("marked"))
+    comparison = results.get("comparison")
+    if comparison and response["source"] != "transducer":
+        values |= row_values("comparison", comparison) | row_values("comparison.marked", comparison.get("marked"))
     return {of: value for of, value in values.items() if value[0] is not None}
+
+
+def row_values(of, rows):
+    values = {}
+    for k in range(len((rows or {}).get("u_magnitude") or [])):
+        values[f"{of}.magnitude[{k}]"] = rows["u_magnitude"][k], rows["k_magnitude"][k], rows["dof"][k]
+        values[f"{of}.phase_rad[{k}]"] = rows["u_phase_rad"][k], rows["k_phase"][k], "not stated"
+    return values
 
 
 def lines_by_value(results):
@@ -38,7 +50,7 @@ def check_every_budget(report, results):
     rows = {"magnitude": [], "phase": []}
     for of, lines in groups.items():
         found = one_budget(lines, values[of])
-        kind = next((kind for kind in rows if of.startswith(f"response.{kind}")), None)
+        kind = next((kind for kind in rows if f".{kind}" in of), None)
         if kind:
             rows[kind].append(found)
         else:
@@ -51,13 +63,13 @@ def check_every_budget(report, results):
 
 
 def check_steps(report, results):
-    """Each shot's pressure step has lines of its own, and states no k."""
+    """Pressure step and velocity of each shot have lines of their own."""
     for shot in results["shock"] or []:
-        if shot.get("u_step_pa") is None or not shot["step_budget"]:
-            continue
-        _, dof = combined([(line["contribution"], or_infinite(line["dof"])) for line in shot["step_budget"]])
-        value = shot["u_step_pa"], coverage_factor(dof), shot["step_dof"]
-        compare_budget(report, f"step of shot {shot['shot']}", one_budget(shot["step_budget"], value))
+        for of, u in (("step", "u_step_pa"), ("velocity", "u_velocity_m_s")):
+            if shot.get(u) is None or not shot[f"{of}_budget"]:
+                continue
+            value = shot[u], shot[f"{of}_k"], shot[f"{of}_dof"]
+            compare_budget(report, f"{of} of shot {shot['shot']}", one_budget(shot[f"{of}_budget"], value))
 
 
 def check_sources(report, results):
@@ -66,7 +78,9 @@ def check_sources(report, results):
     chain = {"chain"} if results["chain"] else set()
     row = {"noise", "end_of_record", "aliasing", "drift"} | chain
     row |= {"reference_sensitivity"} if is_by_transducer else set()
-    own = {"sensitivity": {"gain_relative", "linearity_relative", "mounting_relative"}, "response.magnitude": row,
+    chain_of_level = {"gain_relative", "linearity_relative", "mounting_relative"}
+    own = {"sensitivity": chain_of_level, "sensitivity.per_level": chain_of_level, "shots": chain_of_level,
+           "response.magnitude": row, "response.marked.magnitude": row,
            "response.phase_rad": {"noise", "end_of_record", "aliasing", "drift",
                                   "delay_of_reference" if is_by_transducer else "onset_s"}}
     for of, lines in lines_by_value(results).items():

@@ -31,7 +31,7 @@ struct InputRow
 };
 
 using enum CountedIn;
-constexpr std::array<InputRow, 37> kInputRows{{
+constexpr std::array<InputRow, 38> kInputRows{{
     {"distance_m", QT_TRANSLATE_NOOP("ShockBudget", "Distance, %1"), "m"},
     {"arrival_s", QT_TRANSLATE_NOOP("ShockBudget", "Arrival, %1"), "s"},
     {"delay_s", QT_TRANSLATE_NOOP("ShockBudget", "Delay, %1"), "s"},
