@@ -44,7 +44,7 @@ void TestSensors::s02_exampleInOneClick_givesADraft()
     bench.show(Page::Model);
     const QStringList pole = bench.row("poleTable", "2.3");
     QVERIFY2(std::abs(number(pole.value(0)) / 2.33 - 1.0) < 0.002, qPrintable(pole.join('|')));
-    QVERIFY2(std::abs(number(pole.value(2)) / 0.02 - 1.0) < 0.05, qPrintable(pole.join('|')));
+    QVERIFY2(std::abs(number(pole.value(3)) / 0.02 - 1.0) < 0.05, qPrintable(pole.join('|')));
     QVERIFY2(number(bench.text("modelFit")) > 95.0, qPrintable(bench.text("modelFit"))); // aligned
     bench.prompts.setNextFile(bench.folder.filePath("draft.pdf"));
     QTest::keyClick(bench.window.get(), Qt::Key_P, Qt::ControlModifier);
