@@ -10,7 +10,8 @@ from audit_shock import shocked
 
 # Unless the recipe states them (docs/method/uncertainty.md, docs/method/shock.md).
 U_GAMMA, U_MOLAR_MASS = 0.0005, 1e-5
-CHAIN = {"gain_relative": 0.005 / np.sqrt(3.0), "linearity_relative": 0.001 / np.sqrt(3.0), "mounting_relative": 0.001}
+# With the sign of dS/S: a gain that is larger than stated makes S smaller.
+CHAIN = {"gain_relative": -0.005 / np.sqrt(3.0), "linearity_relative": 0.001 / np.sqrt(3.0), "mounting_relative": 0.001}
 CLOCK_RELATIVE = 50e-6 / np.sqrt(3.0)
 
 
