@@ -132,6 +132,7 @@ void collectEnded(const ChildJobs &jobs, std::vector<RunningChild> &running)
 void waitForOne(const std::vector<RunningChild> &running)
 {
     std::vector<pollfd> ends;
+    ends.reserve(running.size());
     for (const RunningChild &child : running)
         ends.push_back({child.ended.get(), POLLIN, 0}); // poll leaves out what is not open
     const bool areKnown

@@ -99,7 +99,7 @@ private:
 
     void count(const PlannedSensor &sensor)
     {
-        const SensorRecord record = recordOnDisk(m_run.planFolder, sensor);
+        const SensorOutcome record = recordOnDisk(m_run.planFolder, sensor);
         m_outcome.tally.add(record.state);
         if (!record.reason.empty())
             say(sensor.id, std::string(sensorStateName(record.state)) + ": " + record.reason);

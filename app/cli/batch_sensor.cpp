@@ -44,7 +44,7 @@ Result<void> calibrateSensor(
         });
     };
     const auto record = [&](const PipelineOutcome &outcome) {
-        SensorRecord made = recordOf(outcome, sensorKey(sensor));
+        SensorOutcome made = recordOf(outcome, sensorKey(sensor));
         made.stamps = stamps;
         return recordText(made);
     };

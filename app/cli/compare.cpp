@@ -84,8 +84,8 @@ void printTable(const std::vector<Row> &rows)
 
 void print(const CalibrationResults &results, const std::vector<ComparedOrder> &orders)
 {
-    std::vector<Row> rows{{"order", "FIT %", "attainable %", "f0 (noise)", "zeta (noise)", "unstable", "Nyquist",
-        "whiteness p", "BIC"}};
+    std::vector<Row> rows{{"order", "FIT %", "attainable %", "f0 (noise)", "zeta (noise)",
+        "unstable", "Nyquist", "whiteness p", "BIC"}};
     for (const ComparedOrder &compared : orders)
         rows.push_back(rowOf(compared));
     printTable(rows);

@@ -229,6 +229,7 @@ Result<void> checkSettings(const MonteCarloSettings &settings)
 std::vector<VariancePart> partsOf(const std::vector<BudgetLine> &lines, Index result)
 {
     std::vector<VariancePart> parts;
+    parts.reserve(lines.size());
     for (const BudgetLine &line : lines)
         parts.push_back({line.input.quantity, line.contribution[result], line.input.dof, 0,
             line.input.correlated});

@@ -12,6 +12,7 @@ namespace dyncal {
 std::vector<VariancePart> partsOf(const std::vector<UncertaintyLine> &lines)
 {
     std::vector<VariancePart> parts;
+    parts.reserve(lines.size());
     for (const UncertaintyLine &line : lines)
         parts.push_back({line.quantity, line.contribution, line.dof, line.shot, line.correlated});
     return parts;

@@ -43,7 +43,7 @@ Result<void> writeOver(const std::string &path, const std::string &text, const c
 
 SensorStanding standingToMerge(const std::string &planFolder, const PlannedSensor &sensor)
 {
-    SensorRecord record = recordOnDisk(planFolder, sensor);
+    SensorOutcome record = recordOnDisk(planFolder, sensor);
     const bool hasResults
         = record.state != SensorState::Failed && record.state != SensorState::Missing;
     if (hasResults && !looksWhole(planFolder, sensor))

@@ -48,7 +48,7 @@ std::string headOf(const std::vector<std::string> &quantities)
     return head + '\n';
 }
 
-const StatedResult *resultOf(const SensorRecord &record, std::string_view quantity)
+const StatedResult *resultOf(const SensorOutcome &record, std::string_view quantity)
 {
     const auto found = std::ranges::find(record.results, quantity, &StatedResult::quantity);
     return found == record.results.end() ? nullptr : &*found;
@@ -66,7 +66,7 @@ void addResultCells(std::string &row, const StatedResult *result)
     addCell(row, result ? optionalNumber(result->k) : std::string());
 }
 
-std::string marksOf(const SensorRecord &record, Severity severity)
+std::string marksOf(const SensorOutcome &record, Severity severity)
 {
     std::string text;
     for (const FindingMark &mark : record.findings)

@@ -3,7 +3,7 @@
 
 #pragma once
 
-#include "core/batch/sensor_record.h"
+#include "core/batch/sensor_outcome.h"
 
 #include <array>
 #include <cstddef>
@@ -29,7 +29,7 @@ std::string tallyText(const BatchTally &tally);
 struct SensorStanding
 {
     std::string id;
-    SensorRecord record;
+    SensorOutcome record;
 };
 
 /// JSON, schema "dyncal-batch-status/1": the counts, and id, state and reason of every sensor that

@@ -5,7 +5,7 @@
 
 #include "core/base/result.h"
 #include "core/batch/batch_plan.h"
-#include "core/batch/sensor_record.h"
+#include "core/batch/sensor_outcome.h"
 #include "core/capture/capture_set.h"
 #include "core/project/recipe.h"
 

@@ -37,7 +37,7 @@ std::string recordOfResults()
     return std::string(kCalibrationFolder) + '/' + kBatchRecord;
 }
 
-std::optional<SensorRecord> recordIn(const FileDescriptor &folder, const std::string &name)
+std::optional<SensorOutcome> recordIn(const FileDescriptor &folder, const std::string &name)
 {
     const auto text = folder.valid() ? textAt(folder.get(), name, kLongestRecord) : std::nullopt;
     return text ? parseRecord(*text) : std::nullopt;
@@ -95,7 +95,7 @@ std::string pathOfPlan(const std::string &planFolder, const std::string &path)
     return planFolder == "." ? path : (fs::path(planFolder) / path).string();
 }
 
-SensorRecord recordOnDisk(const std::string &planFolder, const PlannedSensor &sensor)
+SensorOutcome recordOnDisk(const std::string &planFolder, const PlannedSensor &sensor)
 {
     if (!sensor.obstacle.empty())
         return {{}, SensorState::Failed, sensor.obstacle, {}, {}, {}};
@@ -107,7 +107,7 @@ SensorRecord recordOnDisk(const std::string &planFolder, const PlannedSensor &se
     return {key, SensorState::Missing, {}, {}, {}, {}};
 }
 
-std::optional<SensorRecord> plannedResults(
+std::optional<SensorOutcome> plannedResults(
     const std::string &planFolder, const PlannedSensor &sensor)
 {
     auto record = recordIn(openedFolder(pathOfPlan(planFolder, sensor.output)), recordOfResults());
@@ -137,7 +137,7 @@ Result<void> keepFailure(
     const std::string folder = pathOfPlan(planFolder, sensor.output);
     std::error_code ignored; // the write says what is wrong
     fs::create_directories(folder, ignored);
-    const SensorRecord record{sensorKey(sensor), SensorState::Failed, reason, {}, {}, {}};
+    const SensorOutcome record{sensorKey(sensor), SensorState::Failed, reason, {}, {}, {}};
     return writeFileAtomically((fs::path(folder) / kFailureRecord).string(), recordText(record));
 }
 

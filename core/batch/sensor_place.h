@@ -5,7 +5,7 @@
 
 #include "core/base/result.h"
 #include "core/batch/batch_plan.h"
-#include "core/batch/sensor_record.h"
+#include "core/batch/sensor_outcome.h"
 
 #include <optional>
 #include <string>
@@ -23,10 +23,10 @@ std::string pathOfPlan(const std::string &planFolder, const std::string &path);
 /// Where a sensor of the plan in `planFolder` stands, from the files that say so: quick, so results
 /// are not hashed (isWhole() does). A failure is told before earlier results. Never fails: what
 /// cannot be read is Missing.
-SensorRecord recordOnDisk(const std::string &planFolder, const PlannedSensor &sensor);
+SensorOutcome recordOnDisk(const std::string &planFolder, const PlannedSensor &sensor);
 
 /// The record beside the sensor's results if they are of what is planned, whatever failed since.
-std::optional<SensorRecord> plannedResults(
+std::optional<SensorOutcome> plannedResults(
     const std::string &planFolder, const PlannedSensor &sensor);
 
 /// Keeps that the sensor failed; what there is of earlier results stays. Fails as

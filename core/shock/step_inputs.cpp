@@ -319,14 +319,13 @@ std::optional<GumBudget> budgetOfTypedStep(
         = std::ranges::find(stated, std::string("step_relative"), &StatedUncertainty::quantity);
     if (known == stated.end())
         return std::nullopt;
-    const auto budget
-        = propagateGum({{"step_relative", 1.0, known->u, known->distribution, dofOf(*known), true,
-                             known->correlated}},
-            [=](const Eigen::VectorXd &x) -> Result<Eigen::VectorXd> {
-                Eigen::VectorXd all = Eigen::VectorXd::Zero(results);
-                all[ofStep] = x[0] * step_Pa;
-                return all;
-            });
+    const auto budget = propagateGum({{"step_relative", 1.0, known->u, known->distribution,
+                                         dofOf(*known), true, known->correlated}},
+        [=](const Eigen::VectorXd &x) -> Result<Eigen::VectorXd> {
+            Eigen::VectorXd all = Eigen::VectorXd::Zero(results);
+            all[ofStep] = x[0] * step_Pa;
+            return all;
+        });
     return budget ? std::optional(*budget) : std::nullopt;
 }
 

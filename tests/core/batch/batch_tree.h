@@ -52,7 +52,7 @@ inline PlannedSensor plannedSensor(const std::string &id, std::vector<std::strin
 
 /// Writes results of the sensor as a run of a batch does: as one transaction, with the list.
 inline bool writeResults(const std::filesystem::path &planFolder, const PlannedSensor &sensor,
-    const SensorRecord &record, const std::string &results = "{}")
+    const SensorOutcome &record, const std::string &results = "{}")
 {
     const std::string folder = (planFolder / sensor.output / kCalibrationFolder).string();
     Result<FolderWrite> write = FolderWrite::begin(runFolder(folder, CaptureSet()));
@@ -64,9 +64,9 @@ inline bool writeResults(const std::filesystem::path &planFolder, const PlannedS
 }
 
 /// The record of a sensor that is done.
-inline SensorRecord doneRecord(const PlannedSensor &sensor)
+inline SensorOutcome doneRecord(const PlannedSensor &sensor)
 {
-    SensorRecord record;
+    SensorOutcome record;
     record.key = sensorKey(sensor);
     record.state = SensorState::Done;
     record.results = {{"sensitivity", 5e-6, "V/Pa", 1e-7, 2.0}, {"f0_hz", 318e3, "Hz", 20.0, 2.0}};

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Dyncal authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include "core/batch/sensor_record.h"
+#include "core/batch/sensor_outcome.h"
 #include "core/results/results_json.h"
 #include "tests/support/example_results.h"
 #include "tests/support/test_program.h"
@@ -21,9 +21,9 @@ PipelineOutcome exampleOutcome()
     return outcome;
 }
 
-SensorRecord wholeRecord()
+SensorOutcome wholeRecord()
 {
-    SensorRecord record;
+    SensorOutcome record;
     record.key = std::string(64, 'c');
     record.state = SensorState::Cautions;
     record.reason = "A \"reason\"\nof two lines.";
@@ -35,7 +35,7 @@ SensorRecord wholeRecord()
     return record;
 }
 
-const StatedResult *found(const SensorRecord &record, const char *quantity)
+const StatedResult *found(const SensorOutcome &record, const char *quantity)
 {
     const auto at = std::ranges::find(record.results, quantity, &StatedResult::quantity);
     return at == record.results.end() ? nullptr : &*at;
@@ -79,17 +79,17 @@ private slots:
 
 void TestBatchRecord::text_readsBackAsTheSameRecord()
 {
-    const SensorRecord record = wholeRecord();
+    const SensorOutcome record = wholeRecord();
     const auto read = parseRecord(recordText(record));
     QVERIFY(read);
     QVERIFY(*read == record);
-    QVERIFY(parseRecord(recordText(SensorRecord())) == SensorRecord());
+    QVERIFY(parseRecord(recordText(SensorOutcome())) == SensorOutcome());
 }
 
 void TestBatchRecord::text_ofEveryState()
 {
     for (int i = 0; i < kSensorStates; ++i) {
-        SensorRecord record;
+        SensorOutcome record;
         record.state = static_cast<SensorState>(i);
         const auto read = parseRecord(recordText(record));
         QVERIFY(read);
@@ -129,7 +129,7 @@ void TestBatchRecord::text_thatIsNoRecord()
 void TestBatchRecord::record_statesWhatTheReportStates()
 {
     const PipelineOutcome outcome = exampleOutcome();
-    const SensorRecord record = recordOf(outcome, "key");
+    const SensorOutcome record = recordOf(outcome, "key");
     QCOMPARE(record.key, std::string("key"));
     const UncertaintyReport &report = *outcome.results.uncertainty;
     QVERIFY(!report.ofModel.empty());
@@ -155,7 +155,7 @@ void TestBatchRecord::record_withoutCompleteBudget_hasNoU()
     report.sensitivity = std::nullopt;
     for (ReportedValue &value : report.ofModel)
         value.u = std::nullopt;
-    const SensorRecord record = recordOf(outcome, "key");
+    const SensorOutcome record = recordOf(outcome, "key");
     QVERIFY(found(record, "sensitivity"));
     for (const StatedResult &result : record.results)
         QVERIFY(!result.expanded && !result.k);
@@ -169,7 +169,7 @@ void TestBatchRecord::record_ofAValueThatIsNotDetermined_leavesItOut()
     UncertaintyReport &report = writable(outcome.results.uncertainty);
     report.ofModel.front().value = std::numeric_limits<double>::quiet_NaN();
     writable(outcome.results.response).sensitivity = std::nullopt;
-    const SensorRecord record = recordOf(outcome, "key");
+    const SensorOutcome record = recordOf(outcome, "key");
     QVERIFY(!found(record, report.ofModel.front().of.c_str()));
     QVERIFY(!found(record, "sensitivity"));
     QVERIFY(parseRecord(recordText(record)) == record);
@@ -180,7 +180,7 @@ void TestBatchRecord::record_hasTheFindingsOfResultsJson()
     PipelineOutcome outcome = exampleOutcome();
     addFinding(outcome, Severity::Caution);
     const Findings findings = allFindings(outcome);
-    const SensorRecord record = recordOf(outcome, "key");
+    const SensorOutcome record = recordOf(outcome, "key");
     QCOMPARE(record.findings.size(), findings.size());
     for (std::size_t i = 0; i < findings.size(); ++i) {
         QCOMPARE(record.findings[i].id, findings[i].id);
@@ -206,7 +206,7 @@ void TestBatchRecord::record_ofWhatBlocks_statesNoResult()
 {
     PipelineOutcome outcome = exampleOutcome();
     addFinding(outcome, Severity::Block);
-    const SensorRecord record = recordOf(outcome, "key");
+    const SensorOutcome record = recordOf(outcome, "key");
     QVERIFY(record.results.empty());
     QCOMPARE(record.reason, std::string("Shot 2 is strange."));
     QVERIFY(!record.findings.empty());
@@ -216,7 +216,7 @@ void TestBatchRecord::record_ofAStoppedRun_hasTheError()
 {
     PipelineOutcome outcome;
     outcome.error = Error{ErrorKind::DataBlocked, {"There is no step.", {}}, "WIN-002", 0};
-    const SensorRecord record = recordOf(outcome, "key");
+    const SensorOutcome record = recordOf(outcome, "key");
     QCOMPARE(record.state, SensorState::Blocked);
     QCOMPARE(record.reason, std::string("There is no step."));
     QCOMPARE(record.findings.size(), std::size_t(1));

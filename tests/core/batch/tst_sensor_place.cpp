@@ -107,7 +107,7 @@ private slots:
 void TestSensorPlace::nothingThere_isMissing()
 {
     const PlacedSensor one;
-    const SensorRecord record = recordOnDisk(one.plan, one.sensor);
+    const SensorOutcome record = recordOnDisk(one.plan, one.sensor);
     QCOMPARE(record.state, SensorState::Missing);
     QCOMPARE(record.key, sensorKey(one.sensor));
     QVERIFY(!plannedResults(one.plan, one.sensor));
@@ -140,7 +140,7 @@ void TestSensorPlace::unplanned_isFailedWithItsReason()
     PlacedSensor one;
     QVERIFY(one.write());
     one.sensor.obstacle = "No recording.";
-    const SensorRecord record = recordOnDisk(one.plan, one.sensor);
+    const SensorOutcome record = recordOnDisk(one.plan, one.sensor);
     QCOMPARE(record.state, SensorState::Failed);
     QCOMPARE(record.reason, std::string("No recording."));
 }
@@ -152,7 +152,7 @@ void TestSensorPlace::failure_isToldBeforeEarlierResults()
     QCOMPARE(one.state(), SensorState::Failed);
     QVERIFY(one.write());
     QVERIFY(keepFailure(one.plan, one.sensor, "A recording changed."));
-    const SensorRecord record = recordOnDisk(one.plan, one.sensor);
+    const SensorOutcome record = recordOnDisk(one.plan, one.sensor);
     QCOMPARE(record.state, SensorState::Failed);
     QCOMPARE(record.reason, std::string("A recording changed."));
     QVERIFY(plannedResults(one.plan, one.sensor));

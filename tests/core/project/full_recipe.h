@@ -116,8 +116,8 @@ inline Recipe fullRecipe()
     r.realization.candidateNotes = {{3, "splits the second mode"}};
     r.realization.adoptedReason = "lowest order that fits";
     r.response = {.frequencies_Hz = {1e3, 1e5}, .grid = "list", .reference = "unit-step"};
-    r.uncertainty = {.budget = {{"t1_k", 0.3, "rectangular", 12.0, "C 12", "2027-01-31"},
-                            {"p1_pa", 50.0, "normal", {}}},
+    r.uncertainty = {.budget
+        = {{"t1_k", 0.3, "rectangular", 12.0, "C 12", "2027-01-31"}, {"p1_pa", 50.0, "normal", {}}},
         .correlations = {{"t1_k", "p1_pa", -0.5}},
         .cmc = {{"magnitude", 0.02, false, 1e3, 1e5}},
         .monteCarloTrials = 0,

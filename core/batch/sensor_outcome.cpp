@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Dyncal authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include "core/batch/sensor_record.h"
+#include "core/batch/sensor_outcome.h"
 
 #include "core/base/json_text.h"
 #include "core/results/publication.h"
@@ -67,7 +67,7 @@ RecordJson orNull(const std::optional<double> &value)
     return value && std::isfinite(*value) ? RecordJson(*value) : RecordJson();
 }
 
-RecordJson resultsJson(const SensorRecord &record)
+RecordJson resultsJson(const SensorOutcome &record)
 {
     RecordJson list = RecordJson::array();
     for (const StatedResult &one : record.results)
@@ -76,7 +76,7 @@ RecordJson resultsJson(const SensorRecord &record)
     return list;
 }
 
-RecordJson marksJson(const SensorRecord &record)
+RecordJson marksJson(const SensorOutcome &record)
 {
     RecordJson list = RecordJson::array();
     for (const FindingMark &one : record.findings)
@@ -85,7 +85,7 @@ RecordJson marksJson(const SensorRecord &record)
     return list;
 }
 
-RecordJson stampsJson(const SensorRecord &record)
+RecordJson stampsJson(const SensorOutcome &record)
 {
     RecordJson list = RecordJson::array();
     for (const InputStamp &one : record.stamps)
@@ -145,7 +145,7 @@ std::vector<Value> listOf(
 }
 
 /// Throws what the JSON library throws where something is missing or of another type.
-SensorRecord readRecord(const RecordJson &json)
+SensorOutcome readRecord(const RecordJson &json)
 {
     return {json.at("key"), stateNamed(json.at("state")), json.at("reason"),
         listOf(json, "results", readResult), listOf(json, "findings", readMark),
@@ -159,9 +159,9 @@ const char *sensorStateName(SensorState state)
     return kStateNames[static_cast<std::size_t>(state)];
 }
 
-SensorRecord recordOf(const PipelineOutcome &outcome, const std::string &key)
+SensorOutcome recordOf(const PipelineOutcome &outcome, const std::string &key)
 {
-    SensorRecord record{key, SensorState::Blocked, {}, {}, {}, {}};
+    SensorOutcome record{key, SensorState::Blocked, {}, {}, {}, {}};
     const Findings findings = allFindings(outcome);
     for (const Finding &finding : findings)
         record.findings.push_back({finding.id, finding.severity, finding.shot});
@@ -174,7 +174,7 @@ SensorRecord recordOf(const PipelineOutcome &outcome, const std::string &key)
     return record;
 }
 
-std::string recordText(const SensorRecord &record)
+std::string recordText(const SensorOutcome &record)
 {
     return jsonText(RecordJson{{"schema", kRecordSchema}, {"key", record.key},
         {"state", sensorStateName(record.state)}, {"reason", record.reason},
@@ -182,7 +182,7 @@ std::string recordText(const SensorRecord &record)
         {"inputs", stampsJson(record)}});
 }
 
-std::optional<SensorRecord> parseRecord(std::string_view text)
+std::optional<SensorOutcome> parseRecord(std::string_view text)
 {
     const RecordJson json = RecordJson::parse(text, nullptr, false);
     try {

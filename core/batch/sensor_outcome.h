@@ -61,7 +61,7 @@ struct InputStamp
 
 /// What a batch keeps of a sensor: beside its results (kBatchRecord), or alone where there are none
 /// (kFailureRecord).
-struct SensorRecord
+struct SensorOutcome
 {
     std::string key; ///< sensorKey() of what it was computed from
     SensorState state = SensorState::Missing;
@@ -70,17 +70,17 @@ struct SensorRecord
     std::vector<FindingMark> findings; ///< in the order of results.json
     std::vector<InputStamp> stamps; ///< of the planned files, in their order
 
-    bool operator==(const SensorRecord &) const = default;
+    bool operator==(const SensorOutcome &) const = default;
 };
 
 /// The record of a run that came to results.json; the stamps are the caller's. Key results are what
 /// the certificate states with U: sensitivity and the model's values; U is that of the certificate.
-SensorRecord recordOf(const PipelineOutcome &outcome, const std::string &key);
+SensorOutcome recordOf(const PipelineOutcome &outcome, const std::string &key);
 
 /// JSON, schema "dyncal-batch-record/1".
-std::string recordText(const SensorRecord &record);
+std::string recordText(const SensorOutcome &record);
 
 /// Empty if the text is no such record.
-std::optional<SensorRecord> parseRecord(std::string_view text);
+std::optional<SensorOutcome> parseRecord(std::string_view text);
 
 } // namespace dyncal
