@@ -50,12 +50,14 @@ std::string placeOf(std::size_t i)
 void addRowLines(const std::string &of, const ResponseResult &response, const RowUncertainty &rows,
     UncertaintyJson &list)
 {
+    const std::string magnitude = of + ".magnitude";
+    const std::string phase = of + ".phase_rad";
     for (Index i = 0; i < rows.u_phase_rad.size(); ++i) {
         const std::string place = placeOf(static_cast<std::size_t>(i));
         if (std::isfinite(rows.u_magnitude[i]))
-            addLines(of + ".magnitude" + place, magnitudeOfRow(response, rows, i), list);
+            addLines(magnitude + place, magnitudeOfRow(response, rows, i), list);
         if (std::isfinite(rows.u_phase_rad[i]))
-            addLines(of + ".phase_rad" + place, phaseOfRow(response, rows, i), list);
+            addLines(phase + place, phaseOfRow(response, rows, i), list);
     }
 }
 
