@@ -140,6 +140,7 @@ std::vector<ShownResult> columnOf(
     const std::vector<ComparedRow> &rows, ReportedValue ComparedRow::*one, const QString &unit)
 {
     std::vector<Estimate> values;
+    values.reserve(rows.size());
     for (const ComparedRow &row : rows)
         values.push_back(withExpanded(row.*one));
     return shownColumn(values, unit);
