@@ -131,9 +131,9 @@ int mergeIt(const BatchOptions &options)
         return report(standings.error());
     if (const Result<void> written = writeSummaryFile(options.output, *standings); !written)
         return report(written.error());
-    std::cout << tallyText(tallyOf(*standings)) << "\nWritten:\n  " << presentable(options.output)
-              << '\n';
-    return exitCodeOf(tallyOf(*standings));
+    const BatchTally tally = tallyOf(*standings);
+    std::cout << tallyText(tally) << "\nWritten:\n  " << presentable(options.output) << '\n';
+    return exitCodeOf(tally);
 }
 
 std::string absolutePath(const std::string &path)

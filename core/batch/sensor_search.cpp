@@ -19,11 +19,6 @@ namespace fs = std::filesystem;
 constexpr std::string_view kOwnRecipe = "recipe.json";
 constexpr std::string_view kRecipeOfFile = ".recipe.json";
 
-std::string inWords(const Message &message)
-{
-    return english(message);
-}
-
 bool isRecording(const std::string &path)
 {
     return formatOf(path, ImportSettings()).has_value();
@@ -31,7 +26,7 @@ bool isRecording(const std::string &path)
 
 std::string noRecording()
 {
-    return inWords(
+    return english(
         {DYNCAL_TEXT("core",
              "The folder holds files but no recording; readable are: %1. Put recordings there, or move it out of what is planned."),
             {readableFormatsText()}});
@@ -39,7 +34,7 @@ std::string noRecording()
 
 std::string isLink()
 {
-    return inWords(
+    return english(
         {DYNCAL_TEXT("core",
              "This is a link to a folder, which is not followed; plan the folder that it leads to."),
             {}});
@@ -47,7 +42,7 @@ std::string isLink()
 
 std::string isInRoot()
 {
-    return inWords(
+    return english(
         {DYNCAL_TEXT("core",
              "Recordings lie directly in the folder that is planned and belong to no sensor; put them into a folder of their own, or give --each-file."),
             {}});
@@ -55,7 +50,7 @@ std::string isInRoot()
 
 std::string badName()
 {
-    return inWords(
+    return english(
         {DYNCAL_TEXT("core", "The name is no valid UTF-8, so no plan can hold it; rename it."),
             {}});
 }
@@ -100,7 +95,7 @@ private:
     {
         const Result<std::vector<std::string>> listed = filesOfFolder(folder);
         if (!listed)
-            return add({{}, folder, {}, {}, inWords(listed.error().message)});
+            return add({{}, folder, {}, {}, english(listed.error().message)});
         const bool hasOther = std::ranges::any_of(
             *listed, [this](const std::string &file) { return !isSetting(file); });
         if (hasOther && m_search.eachFile)

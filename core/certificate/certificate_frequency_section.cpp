@@ -205,8 +205,8 @@ std::vector<Message> frequencyRow(const FrequencyLine &line, Message frequency)
         = !(line.frequency_Hz() > (1.0 + kRoundingOfLimit) * response.modelLimit_Hz);
     const double k = printedCoverage(valueAt(rows.k_magnitude, i));
     const double kPhase = printedCoverage(valueAt(rows.k_phase, i));
-    const double uPrinted = neverBelow(k * uMagnitude, least) / k;
-    const double uPhasePrinted = neverBelow(kPhase * uPhase, leastPhase) / kPhase;
+    const double uPrinted = printableU(uMagnitude, k, least);
+    const double uPhasePrinted = printableU(uPhase, kPhase, leastPhase);
     return {std::move(frequency), cell(magnitude, uPrinted, unit, k),
         std::isfinite(magnitude) ? expandedCell(magnitude, uPrinted, unit, k) : dash(),
         cell(phase, uPhasePrinted, "\xC2\xB0", kPhase),

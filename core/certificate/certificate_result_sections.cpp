@@ -109,8 +109,8 @@ std::vector<Message> poleRow(const Pole &pole, const PoleUncertainty &with)
 {
     const double k = printedCoverage(with.kFrequency);
     const double kDamping = printedCoverage(with.kDamping);
-    const double u_Hz = neverBelow(k * with.u_frequency_Hz, with.leastFrequency_Hz) / k;
-    const double u_zeta = neverBelow(kDamping * with.u_dampingRatio, with.leastDamping) / kDamping;
+    const double u_Hz = printableU(with.u_frequency_Hz, k, with.leastFrequency_Hz);
+    const double u_zeta = printableU(with.u_dampingRatio, kDamping, with.leastDamping);
     return {poleWord(pole.poleClass), verbatim(complexText(pole)),
         valueCell(pole.frequency_Hz, u_Hz, "Hz", k), expandedCell(pole.frequency_Hz, u_Hz, "Hz", k),
         valueCell(pole.dampingRatio, u_zeta, "", kDamping),

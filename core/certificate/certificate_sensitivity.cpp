@@ -40,10 +40,11 @@ Message levelLabel(ShotLevel level)
 ResultQuantity sensitivityQuantity(
     Message label, double value, const ReportedValue *reported, const ResponseResult &response)
 {
-    const bool isKnown = reported && reported->u;
-    return {std::move(label), value, isKnown ? *reported->u : kUnknown,
-        isKnown ? reported->k : kUnknown, response.sensitivityUnit, whyNoResult(reported),
-        isKnown ? reported->leastExpanded : 0.0};
+    if (!reported || !reported->u)
+        return {std::move(label), value, kUnknown, kUnknown, response.sensitivityUnit,
+            whyNoResult(reported)};
+    return {std::move(label), value, *reported->u, reported->k, response.sensitivityUnit,
+        whyNoResult(reported), reported->leastExpanded};
 }
 
 std::vector<ResultQuantity> levelQuantities(const CalibrationResults &results)

@@ -50,6 +50,11 @@ double printedCoverage(double k)
     return statedFactor(k);
 }
 
+double printableU(double u, double k, double leastExpanded)
+{
+    return neverBelow(k * u, leastExpanded) / k;
+}
+
 std::string factorText(double k)
 {
     constexpr double kMostOfUse = 1e4; // reached with a fraction of a degree of freedom

@@ -36,6 +36,8 @@ Message printed(const std::optional<double> &value, std::string_view unit, Messa
 /// k = 2, or a larger Student's k where few degrees of freedom decide, so that the interval has 95
 /// % there too; 2 where it is not known.
 double printedCoverage(double k);
+/// u that `k` times makes the printed U: rounded it is not below the CMC either (neverBelow()).
+double printableU(double u, double k, double leastExpanded);
 /// "4.30".
 std::string factorText(double k);
 /// The factor that U is stated with: "2", "4.30".

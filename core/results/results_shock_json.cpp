@@ -118,9 +118,9 @@ Json budgetJson(const GumBudget &budget, StepResult of)
     return lines;
 }
 
-/// "step_dof", "step_k", "step_budget"; null where u is not known.
-void addLines(JsonRecord &record, const char *of, const ShockConditions &shock, StepResult result,
-    const std::string &reason)
+/// For `of` "step": "step_dof", "step_k", "step_budget"; null where u is not known.
+void addBudgetOf(JsonRecord &record, const char *of, const ShockConditions &shock,
+    StepResult result, const std::string &reason)
 {
     const std::string name = of;
     if (!shock.uncertainty || !shock.uncertainty->u(result)) {
@@ -171,8 +171,8 @@ void addUncertainty(
         ? "The step is typed, without an uncertainty (step_relative in uncertainty.budget)."
         : reason;
     record.number("u_step_pa", u_step_Pa, noStep);
-    addLines(record, "velocity", shock, StepResult::Velocity, reason);
-    addLines(record, "step", shock, StepResult::Step, reason);
+    addBudgetOf(record, "velocity", shock, StepResult::Velocity, reason);
+    addBudgetOf(record, "step", shock, StepResult::Step, reason);
     if (u_step_Pa)
         addMonteCarlo(record, monteCarlo);
     else

@@ -4,12 +4,12 @@
 // What is reported of a model: closed forms of a second-order sensor (metrology tables), and the
 // scatter of many calibrations against the stated uncertainties.
 
-#include "core/model_analysis/model_characteristics.h"
 #include "core/uncertainty/model_values.h"
 #include "tests/support/damped_shots.h"
 #include "tests/support/realized_model.h"
 #include "tests/support/test_program.h"
 #include "tests/support/trial_count.h"
+#include "tests/support/wide_response.h"
 
 #include <QTest>
 
@@ -35,24 +35,12 @@ struct Reported
     }
 };
 
-/// With a response whose band and window leave everything to be stated.
-ResponseResult wideOpen(const SensorModel &model)
-{
-    ResponseResult response;
-    response.fLow_Hz = 1e3;
-    response.fHigh_Hz = response.modelLimit_Hz = 4e6;
-    response.window_s = 1.0;
-    response.resolution_s = 1e-9;
-    response.characteristics = stepCharacteristics(model, ResponseTreatment::StepDeflated);
-    return response;
-}
-
 Reported reportOf(const ModelInput &input, double clock = 0.0)
 {
     const auto hankel = decomposeHankel(input, {});
     testing::RealizedModel made = *testing::realizeModel(input, *hankel, 2);
     Reported result{{}, made.model, made.assessment};
-    result.values = modelValues(made.model, made.assessment, wideOpen(made.model),
+    result.values = modelValues(made.model, made.assessment, testing::wideOpen(made.model),
         modelVariations(input, made.model), input.treatment, directLine("clock_relative", clock));
     return result;
 }
@@ -183,7 +171,7 @@ private slots:
         const ModelInput input = testing::dampedShots(kF0_Hz, 0.05, 2);
         const auto hankel = decomposeHankel(input, {});
         const testing::RealizedModel made = *testing::realizeModel(input, *hankel, 2);
-        ResponseResult response = wideOpen(made.model);
+        ResponseResult response = testing::wideOpen(made.model);
         response.front = {200e-9, 10e-9};
         const auto values = modelValues(made.model, made.assessment, response,
             modelVariations(input, made.model), input.treatment, directLine("clock_relative", 0.0));
@@ -236,7 +224,7 @@ private slots:
         const ModelInput input = testing::dampedShots(kF0_Hz, 0.05, 2);
         const auto hankel = decomposeHankel(input, {});
         const testing::RealizedModel made = *testing::realizeModel(input, *hankel, 2);
-        ResponseResult narrow = wideOpen(made.model);
+        ResponseResult narrow = testing::wideOpen(made.model);
         narrow.fHigh_Hz = 80e3; // between the edges of 5 and 10 %
         narrow.window_s = 1e-6;
         const auto values = modelValues(made.model, made.assessment, narrow,
@@ -254,8 +242,8 @@ private slots:
         const ModelInput input = testing::dampedShots(kF0_Hz, 0.05, 2);
         const auto hankel = decomposeHankel(input, {});
         const testing::RealizedModel made = *testing::realizeModel(input, *hankel, 2);
-        const auto values = modelValues(made.model, made.assessment, wideOpen(made.model), {},
-            input.treatment, directLine("clock_relative", 0.0));
+        const auto values = modelValues(made.model, made.assessment, testing::wideOpen(made.model),
+            {}, input.treatment, directLine("clock_relative", 0.0));
         QVERIFY(!values.empty());
         for (const ReportedValue &one : values) {
             // f0, damping and Q are as assessed, which needs no variation.
@@ -266,8 +254,9 @@ private slots:
         ModelAssessment unassessed = made.assessment;
         for (Pole &pole : unassessed.poles)
             pole.u_frequency_Hz = pole.u_dampingRatio = kUnknown;
-        for (const ReportedValue &one : modelValues(made.model, unassessed, wideOpen(made.model),
-                 {}, input.treatment, directLine("clock_relative", 0.0)))
+        for (const ReportedValue &one :
+            modelValues(made.model, unassessed, testing::wideOpen(made.model), {}, input.treatment,
+                directLine("clock_relative", 0.0)))
             QVERIFY(!one.u && std::isfinite(one.value) && *one.missing.text != '\0');
     }
 };

@@ -3,13 +3,13 @@
 
 // An oscillation that may be the mount's: what depends on it has it in its uncertainty.
 
-#include "core/model_analysis/model_characteristics.h"
 #include "core/uncertainty/model_values.h"
 #include "core/uncertainty/weak_modes.h"
 #include "tests/support/damped_shots.h"
 #include "tests/support/near.h"
 #include "tests/support/realized_model.h"
 #include "tests/support/test_program.h"
+#include "tests/support/wide_response.h"
 
 #include <QTest>
 
@@ -58,15 +58,10 @@ Shaken valuesOf(const ModelInput &input)
 {
     const auto hankel = decomposeHankel(input, {});
     const testing::RealizedModel made = *testing::realizeModel(input, *hankel, 4);
-    ResponseResult response;
-    response.fLow_Hz = 1e3;
-    response.fHigh_Hz = response.modelLimit_Hz = 4e6;
-    response.window_s = 1.0;
-    response.resolution_s = 1e-9;
-    response.characteristics = stepCharacteristics(made.model, input.treatment);
     return {made.model,
-        modelValues(made.model, made.assessment, response, modelVariations(input, made.model),
-            input.treatment, directLine("clock_relative", 0.0))};
+        modelValues(made.model, made.assessment, testing::wideOpen(made.model),
+            modelVariations(input, made.model), input.treatment,
+            directLine("clock_relative", 0.0))};
 }
 
 const UncertaintyLine *weakLine(const ReportedValue &value)
