@@ -1056,6 +1056,30 @@ steget</translation>
         <source>Largest probability of being outside the limit, at any frequency</source>
         <translation>Största sannolikhet att ligga utanför gränsen, vid någon frekvens</translation>
     </message>
+    <message>
+        <source>What the certificate calls the other calibration</source>
+        <translation>Vad beviset kallar den andra kalibreringen</translation>
+    </message>
+    <message>
+        <source>Number of its certificate; may be left out</source>
+        <translation>Bevisets nummer; kan utelämnas</translation>
+    </message>
+    <message>
+        <source>At which the value holds; empty: static</source>
+        <translation>Vid vilken värdet gäller; tomt: statiskt</translation>
+    </message>
+    <message>
+        <source>Such as V/Pa or mV/bar; it is converted to the unit of S(f)</source>
+        <translation>Till exempel V/Pa eller mV/bar; räknas om till enheten för S(f)</translation>
+    </message>
+    <message>
+        <source>The sensitivity that it states, in this unit</source>
+        <translation>Känsligheten som den anger, i denna enhet</translation>
+    </message>
+    <message>
+        <source>Its expanded uncertainty, in the unit of the value, at k = 2</source>
+        <translation>Dess utvidgade osäkerhet, i värdets enhet, vid k = 2</translation>
+    </message>
 </context>
 <context>
     <name>Corrections</name>
@@ -1402,6 +1426,61 @@ steget</translation>
     </message>
 </context>
 <context>
+    <name>KnownWords</name>
+    <message>
+        <source>static</source>
+        <translation>statiskt</translation>
+    </message>
+    <message>
+        <source>not compared: %1</source>
+        <translation>inte jämfört: %1</translation>
+    </message>
+    <message>
+        <source>agrees, joined</source>
+        <translation>stämmer, förenat</translation>
+    </message>
+    <message>
+        <source>differs, not joined</source>
+        <translation>avviker, inte förenat</translation>
+    </message>
+    <message>
+        <source>%1, %2: %3 (k = 2)</source>
+        <translation>%1, %2: %3 (k = 2)</translation>
+    </message>
+    <message>
+        <source>Of %1 values of other calibrations %2 agree with this one within U.</source>
+        <translation>Av %1 värden från andra kalibreringar stämmer %2 med denna inom U.</translation>
+    </message>
+    <message>
+        <source>Calibration</source>
+        <translation>Kalibrering</translation>
+    </message>
+    <message>
+        <source>Frequency</source>
+        <translation>Frekvens</translation>
+    </message>
+    <message>
+        <source>Its value ± U</source>
+        <translation>Dess värde ± U</translation>
+    </message>
+    <message>
+        <source>Here ± U</source>
+        <translation>Här ± U</translation>
+    </message>
+    <message>
+        <source>Difference</source>
+        <translation>Skillnad</translation>
+    </message>
+    <message>
+        <source>Eₙ</source>
+        <translation>Eₙ</translation>
+    </message>
+    <message>
+        <source>Verdict</source>
+        <translation>Utfall</translation>
+    </message>
+</context>
+<context>
     <name>ModelTables</name>
     <message>
         <source>Shot %1</source>
@@ -1617,6 +1696,10 @@ steget</translation>
     <message>
         <source>%1 % of attainable %2 %: at the noise limit</source>
         <translation>%1 % av uppnåeliga %2 %: vid brusgränsen</translation>
+    </message>
+    <message>
+        <source>u(amplitude)</source>
+        <translation>u(amplitud)</translation>
     </message>
 </context>
 <context>
@@ -2247,6 +2330,30 @@ steget</translation>
     <message>
         <source>Deviation</source>
         <translation>Avvikelse</translation>
+    </message>
+    <message>
+        <source>This calibration</source>
+        <translation>Denna kalibrering</translation>
+    </message>
+    <message>
+        <source>Other calibrations</source>
+        <translation>Andra kalibreringar</translation>
+    </message>
+    <message>
+        <source>static</source>
+        <translation>statiskt</translation>
+    </message>
+    <message>
+        <source>S(f) beside %1 values of other calibrations; %2 agree within U.</source>
+        <translation>S(f) bredvid %1 värden från andra kalibreringar; %2 stämmer inom U.</translation>
+    </message>
+    <message>
+        <source>Magnitude and values of other calibrations</source>
+        <translation>Belopp och värden från andra kalibreringar</translation>
+    </message>
+    <message>
+        <source>Less the sensitivity at the onset</source>
+        <translation>Minus känsligheten vid stegets början</translation>
     </message>
 </context>
 <context>
@@ -3148,6 +3255,38 @@ steget</translation>
     <message>
         <source>correlations in the budget</source>
         <translation>korrelationer i budgeten</translation>
+    </message>
+    <message>
+        <source>name of a known value</source>
+        <translation>namn på ett känt värde</translation>
+    </message>
+    <message>
+        <source>frequency of a known value</source>
+        <translation>frekvens för ett känt värde</translation>
+    </message>
+    <message>
+        <source>known value</source>
+        <translation>känt värde</translation>
+    </message>
+    <message>
+        <source>u of a known value</source>
+        <translation>u för ett känt värde</translation>
+    </message>
+    <message>
+        <source>unit of a known value</source>
+        <translation>enhet för ett känt värde</translation>
+    </message>
+    <message>
+        <source>degrees of freedom of a known value</source>
+        <translation>frihetsgrader för ett känt värde</translation>
+    </message>
+    <message>
+        <source>certificate of a known value</source>
+        <translation>bevis för ett känt värde</translation>
+    </message>
+    <message>
+        <source>values of other calibrations</source>
+        <translation>värden från andra kalibreringar</translation>
     </message>
 </context>
 <context>
@@ -7562,6 +7701,94 @@ steget</translation>
         <source>The name is no valid UTF-8, so no plan can hold it; rename it.</source>
         <translation>Namnet är inte giltig UTF-8, så ingen plan kan innehålla det; byt namn.</translation>
     </message>
+    <message>
+        <source>another calibration: %1</source>
+        <translation>annan kalibrering: %1</translation>
+    </message>
+    <message>
+        <source>A value of another calibration stands in the table of this one, under its name, only where both agree within their expanded uncertainties (absolute En at most 1); below the band it is compared with the sensitivity at the onset of the step. It is no result of this calibration.</source>
+        <translation>Ett värde från en annan kalibrering står i tabellen för denna, under sitt namn, bara där båda stämmer inom sina utvidgade osäkerheter (absolut En högst 1); under bandet jämförs det med känsligheten vid stegets början. Det är inget resultat av denna kalibrering.</translation>
+    </message>
+    <message>
+        <source>static</source>
+        <translation>statiskt</translation>
+    </message>
+    <message>
+        <source>%1, certificate %2</source>
+        <translation>%1, bevis %2</translation>
+    </message>
+    <message>
+        <source>not compared</source>
+        <translation>inte jämfört</translation>
+    </message>
+    <message>
+        <source>agrees, joined</source>
+        <translation>stämmer, förenat</translation>
+    </message>
+    <message>
+        <source>differs, not joined</source>
+        <translation>avviker, inte förenat</translation>
+    </message>
+    <message>
+        <source>Values of other calibrations of the item, beside those of this one</source>
+        <translation>Värden från andra kalibreringar av objektet, bredvid denna kalibrerings</translation>
+    </message>
+    <message>
+        <source>Calibration</source>
+        <translation>Kalibrering</translation>
+    </message>
+    <message>
+        <source>Its value</source>
+        <translation>Dess värde</translation>
+    </message>
+    <message>
+        <source>This calibration</source>
+        <translation>Denna kalibrering</translation>
+    </message>
+    <message>
+        <source>En</source>
+        <translation>En</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source>static: %1</source>
+        <translation>statiskt: %1</translation>
+    </message>
+    <message>
+        <source>S(f) is not stated per pressure</source>
+        <translation>S(f) anges inte per tryck</translation>
+    </message>
+    <message>
+        <source>its unit %1 is none of %2, in which S(f) is</source>
+        <translation>dess enhet %1 är ingen enhet av slaget %2, som S(f) har</translation>
+    </message>
+    <message>
+        <source>%1 is above the band, which ends at %2</source>
+        <translation>%1 ligger över bandet, som slutar vid %2</translation>
+    </message>
+    <message>
+        <source>the sensitivity has no complete uncertainty</source>
+        <translation>känsligheten har ingen fullständig osäkerhet</translation>
+    </message>
+    <message>
+        <source>S(f) is withheld at %1</source>
+        <translation>S(f) anges inte vid %1</translation>
+    </message>
+    <message>
+        <source>%1 at %2</source>
+        <translation>%1 vid %2</translation>
+    </message>
+    <message>
+        <source>%1 states %2, this calibration %3: they differ by %4 %, En = %5, more than both expanded uncertainties, and are not joined to one curve. Check unit, range, gas and mounting of either; the one that is wrong is not known.</source>
+        <translation>%1 anger %2, denna kalibrering %3: de skiljer sig med %4 %, En = %5, mer än båda utvidgade osäkerheterna, och förenas inte till en kurva. Kontrollera enhet, område, gas och montering för båda; vilken som är fel är inte känt.</translation>
+    </message>
+    <message>
+        <source>%1 of response.known cannot be compared with this calibration: %2. Correct it, or leave it out.</source>
+        <translation>%1 i response.known kan inte jämföras med denna kalibrering: %2. Rätta det, eller utelämna det.</translation>
+    </message>
 </context>
 <context>
     <name>dyncal::ArrivalPanel</name>
@@ -7822,18 +8049,6 @@ steget</translation>
     <message>
         <source>Least U of the laboratory (CMC)</source>
         <translation>Laboratoriets minsta U (CMC)</translation>
-    </message>
-    <message>
-        <source>Add this entry</source>
-        <translation>Lägg till posten</translation>
-    </message>
-    <message>
-        <source>Replace the selected entry</source>
-        <translation>Ersätt den valda posten</translation>
-    </message>
-    <message>
-        <source>Remove the selected entry</source>
-        <translation>Ta bort den valda posten</translation>
     </message>
     <message>
         <source>Entries of the CMC</source>
@@ -8238,6 +8453,10 @@ steget</translation>
         <source>Both magnitudes less their mean</source>
         <translation>Båda beloppen minus deras medelvärde</translation>
     </message>
+    <message>
+        <source>Values of other calibrations</source>
+        <translation>Värden från andra kalibreringar</translation>
+    </message>
 </context>
 <context>
     <name>dyncal::ComponentsPage</name>
@@ -8517,6 +8736,21 @@ steget</translation>
     <message>
         <source>%1: %2</source>
         <translation>%1: %2</translation>
+    </message>
+</context>
+<context>
+    <name>dyncal::EntryList</name>
+    <message>
+        <source>Add this entry</source>
+        <translation>Lägg till posten</translation>
+    </message>
+    <message>
+        <source>Replace the selected entry</source>
+        <translation>Ersätt den valda posten</translation>
+    </message>
+    <message>
+        <source>Remove the selected entry</source>
+        <translation>Ta bort den valda posten</translation>
     </message>
 </context>
 <context>
@@ -9201,6 +9435,57 @@ steget</translation>
     <message>
         <source>These are the results as they stood when the project was saved (%1). The recordings are missing, so nothing can be computed, changed or exported.</source>
         <translation>Detta är resultaten så som de stod när projektet sparades (%1). Registreringarna saknas, så ingenting kan beräknas, ändras eller exporteras.</translation>
+    </message>
+</context>
+<context>
+    <name>dyncal::KnownPanel</name>
+    <message>
+        <source>Values of other calibrations</source>
+        <translation>Värden från andra kalibreringar</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>Namn</translation>
+    </message>
+    <message>
+        <source>Certificate</source>
+        <translation>Bevis</translation>
+    </message>
+    <message>
+        <source>Frequency</source>
+        <translation>Frekvens</translation>
+    </message>
+    <message>
+        <source>static</source>
+        <translation>statiskt</translation>
+    </message>
+    <message>
+        <source>Unit of the value</source>
+        <translation>Värdets enhet</translation>
+    </message>
+    <message>
+        <source>Value</source>
+        <translation>Värde</translation>
+    </message>
+    <message>
+        <source>U (k = 2)</source>
+        <translation>U (k = 2)</translation>
+    </message>
+    <message>
+        <source>needed</source>
+        <translation>behövs</translation>
+    </message>
+    <message>
+        <source>Add a value of another calibration</source>
+        <translation>Lägg till ett värde från en annan kalibrering</translation>
+    </message>
+    <message>
+        <source>Change a value of another calibration</source>
+        <translation>Ändra ett värde från en annan kalibrering</translation>
+    </message>
+    <message>
+        <source>Remove a value of another calibration</source>
+        <translation>Ta bort ett värde från en annan kalibrering</translation>
     </message>
 </context>
 <context>

@@ -6,6 +6,7 @@
 #include "core/base/constants.h"
 #include "core/base/number_text.h"
 #include "core/base/rounding.h"
+#include "core/certificate/certificate_known_values.h"
 #include "core/certificate/certificate_reference.h"
 #include "core/certificate/certificate_words.h"
 #include "core/pipeline/calibration_kind.h"
@@ -141,6 +142,8 @@ const char *markWords(RowMark mark)
         return DYNCAL_TEXT("core", "edge -3 dB: %1");
     case RowMark::Resonance:
         return DYNCAL_TEXT("core", "resonance %1");
+    case RowMark::Known:
+        return DYNCAL_TEXT("core", "another calibration: %1");
     case RowMark::HighEnd:
         break;
     }
@@ -161,6 +164,7 @@ const char *reportedName(RowMark mark)
         return "resonance_hz";
     case RowMark::LowEnd:
     case RowMark::HighEnd:
+    case RowMark::Known:
         break;
     }
     return nullptr;
@@ -229,6 +233,21 @@ std::vector<CertificateColumn> frequencyColumns()
         {{DYNCAL_TEXT("core", "Model, phase"), {}}, true}};
 }
 
+/// Values of other calibrations that are joined, each before the first line above it.
+void addJoined(const UncertaintyReport &report, const std::vector<FrequencyLine> &lines,
+    CertificateTable &table)
+{
+    std::size_t before = 0;
+    for (JoinedLine &joined : joinedLines(report)) {
+        const auto above = std::ranges::find_if(lines,
+            [&](const FrequencyLine &line) { return line.frequency_Hz() > joined.frequency_Hz; });
+        const auto place = static_cast<std::ptrdiff_t>(before++) + (above - lines.begin());
+        table.rows.insert(table.rows.begin() + place,
+            {std::move(joined.name), std::move(joined.magnitude), std::move(joined.expanded),
+                dash(), dash(), dash(), dash()});
+    }
+}
+
 CertificateTable frequencyTable(const ResponseResult &response, const UncertaintyReport &report,
     const std::vector<FrequencyLine> &lines)
 {
@@ -246,6 +265,7 @@ CertificateTable frequencyTable(const ResponseResult &response, const Uncertaint
     const std::vector<double> sorted = sortedFrequencies(response);
     for (const FrequencyLine &line : lines)
         table.rows.push_back(frequencyRow(line, frequencyCell(line, report, sorted)));
+    addJoined(report, lines, table);
     return table;
 }
 
@@ -256,6 +276,17 @@ void addNoteOfMarks(const ResponseResult &response, CertificateSection &section)
             {DYNCAL_TEXT("core",
                  "Beside the frequencies asked for, the table always has the limits of the band and, where they lie between these, the band edges and the resonance of the key results. What stands in these lines was computed at exactly these frequencies, as in all others."),
                 {}});
+}
+
+void addKnown(const UncertaintyReport &report, CertificateSection &section)
+{
+    if (report.known.empty())
+        return;
+    section.tables.push_back(knownValuesTable(report));
+    section.notes.push_back(
+        {DYNCAL_TEXT("core",
+             "A value of another calibration stands in the table of this one, under its name, only where both agree within their expanded uncertainties (absolute En at most 1); below the band it is compared with the sensitivity at the onset of the step. It is no result of this calibration."),
+            {}});
 }
 
 void addNotes(const ResponseResult &response, std::size_t rows, CertificateSection &section)
@@ -327,6 +358,7 @@ CertificateSection frequencyResponseSection(const CalibrationResults &results, c
     const std::vector<FrequencyLine> lines = linesOf(response, report);
     if (!lines.empty())
         section.tables.push_back(frequencyTable(response, report, lines));
+    addKnown(report, section);
     addNoteOfMarks(response, section);
     addNotes(response, rowsInBand(response).size(), section);
     if (const auto sentence = comparisonSentence(results))

@@ -109,13 +109,15 @@ std::vector<Message> poleRow(const Pole &pole, const PoleUncertainty &with)
 {
     const double k = printedCoverage(with.kFrequency);
     const double kDamping = printedCoverage(with.kDamping);
+    const double kAmplitude = printedCoverage(with.kAmplitude);
     const double u_Hz = printableU(with.u_frequency_Hz, k, with.leastFrequency_Hz);
     const double u_zeta = printableU(with.u_dampingRatio, kDamping, with.leastDamping);
     return {poleWord(pole.poleClass), verbatim(complexText(pole)),
         valueCell(pole.frequency_Hz, u_Hz, "Hz", k), expandedCell(pole.frequency_Hz, u_Hz, "Hz", k),
         valueCell(pole.dampingRatio, u_zeta, "", kDamping),
         expandedCell(pole.dampingRatio, u_zeta, "", kDamping),
-        verbatim(roundedText(pole.amplitude, kUnknown, ""))};
+        valueCell(pole.amplitude, with.u_amplitude, "", kAmplitude),
+        expandedCell(pole.amplitude, with.u_amplitude, "", kAmplitude)};
 }
 
 CertificateTable poleTable(const CalibrationResults &results)
@@ -129,7 +131,8 @@ CertificateTable poleTable(const CalibrationResults &results)
         {{DYNCAL_TEXT("core", "U (k = 2)"), {}}, true},
         {{DYNCAL_TEXT("core", "Damping ratio"), {}}, true},
         {{DYNCAL_TEXT("core", "U (k = 2)"), {}}, true},
-        {{DYNCAL_TEXT("core", "Amplitude"), {}}, true}};
+        {{DYNCAL_TEXT("core", "Amplitude"), {}}, true},
+        {{DYNCAL_TEXT("core", "U (k = 2)"), {}}, true}};
     const std::vector<Pole> &poles = polesOf(*results.model, results.assessment.get());
     const std::vector<PoleUncertainty> with
         = statedPoles(*results.model, results.assessment.get(), results.uncertainty.get());

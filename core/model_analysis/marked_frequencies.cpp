@@ -75,7 +75,8 @@ std::optional<ResonancePeak> resonancePeak(
     return ResonancePeak{top_Hz, gain(top_Hz)};
 }
 
-void markFrequencies(const SensorModel &model, ResponseTreatment treatment, ResponseResult &result)
+void markFrequencies(const SensorModel &model, ResponseTreatment treatment,
+    const std::vector<KnownSensitivity> &known, ResponseResult &result)
 {
     const StatedCharacteristics stated = statedCharacteristics(result);
     std::vector<MarkedFrequency> marks{
@@ -86,7 +87,11 @@ void markFrequencies(const SensorModel &model, ResponseTreatment treatment, Resp
         addEdge(stated.minus3dB_Hz, RowMark::Minus3dB, marks);
         addPeak(model, treatment, result, marks);
     }
+    for (const KnownSensitivity &other : known)
+        if (isInBand(other.frequency_Hz, result))
+            marks.emplace_back(other.frequency_Hz, RowMark::Known);
     std::ranges::sort(marks);
+    marks.erase(std::ranges::unique(marks).begin(), marks.end()); // two may state the same
     take(marks, result);
 }
 

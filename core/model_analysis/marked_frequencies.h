@@ -4,6 +4,7 @@
 #pragma once
 
 #include "core/model_analysis/response_result.h"
+#include "core/model_analysis/response_settings.h"
 #include "core/realization/model/sensor_model.h"
 
 #include <optional>
@@ -25,7 +26,9 @@ std::optional<ResonancePeak> resonancePeak(
 
 /// Puts into `result` the frequencies, ascending, at which S(f) is always stated, and into `marks`
 /// what each is: the ends of the band, the band edges that may be stated
-/// (statedCharacteristics()) and, where it lies inside the band, the peak of the main resonance.
-void markFrequencies(const SensorModel &model, ResponseTreatment treatment, ResponseResult &result);
+/// (statedCharacteristics()) and, where they lie inside the band, the peak of the main resonance
+/// and the frequencies of `known` values.
+void markFrequencies(const SensorModel &model, ResponseTreatment treatment,
+    const std::vector<KnownSensitivity> &known, ResponseResult &result);
 
 } // namespace dyncal

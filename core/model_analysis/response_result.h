@@ -38,8 +38,9 @@ enum class BandEnd {
 /// transducer was not calibrated there, or the chain's response is not stated there.
 enum class WithheldReason { None, End, Alias, AboveRate, NotCalibrated, ChainUnknown };
 
-/// What a frequency is at which S(f) is always stated, whatever the recipe asks for.
-enum class RowMark { LowEnd, Within5percent, Within10percent, Minus3dB, Resonance, HighEnd };
+/// What a frequency is at which S(f) is always stated, whatever the recipe asks for; Known: another
+/// calibration states a value there.
+enum class RowMark { LowEnd, Within5percent, Within10percent, Minus3dB, Resonance, HighEnd, Known };
 
 struct ResponseResult
 {

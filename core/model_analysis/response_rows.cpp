@@ -94,4 +94,14 @@ void measureRows(const ResponseSource &source, double highest_Hz, ResponseResult
             state(source.at(result.frequency_Hz[k]), k, result);
 }
 
+std::optional<Index> measuredRowAt(const ResponseResult &response, double frequency_Hz)
+{
+    constexpr double kRounding = 1e-9;
+    for (Index row = 0; row < response.magnitude.size(); ++row)
+        if (std::abs(response.frequency_Hz[row] / frequency_Hz - 1.0) < kRounding
+            && std::isfinite(response.magnitude[row]))
+            return row;
+    return std::nullopt;
+}
+
 } // namespace dyncal

@@ -254,16 +254,16 @@ void describeModel(
     describeRows(model, treatment, scale, result);
 }
 
-/// The response at the ends of the band, its edges and the resonance: rows of their own, so that
-/// those that the recipe asks for are what they are without them.
+/// The response at the ends of the band, its edges, the resonance and where other calibrations
+/// state a value: rows of their own, so that those asked for are what they are without them.
 std::shared_ptr<const ResponseResult> measureMarks(const ResponseSource &records,
     const SensorModel &model, ResponseTreatment treatment, double scale, double highest_Hz,
-    const ResponseResult &all, const ReferenceSensitivity *chain)
+    const ResponseSettings &settings, const ResponseResult &all, const ReferenceSensitivity *chain)
 {
     auto marked = std::make_shared<ResponseResult>(all);
     marked->findings.clear();
     marked->modelCurve = {};
-    markFrequencies(model, treatment, *marked);
+    markFrequencies(model, treatment, settings.known, *marked);
     describeRows(model, treatment, scale, *marked);
     if (chain)
         divideModel(*chain, *marked);
@@ -368,8 +368,8 @@ Result<ResponseResult> computeResponse(const std::vector<WindowedResponse> &resp
         const double highest_Hz = kHighestOfRate * rate_Hz;
         measureRows(*records, highest_Hz, result);
         judgeRows(result);
-        result.atMarks
-            = measureMarks(*records, model, input.treatment, scale, highest_Hz, result, chain);
+        result.atMarks = measureMarks(
+            *records, model, input.treatment, scale, highest_Hz, settings, result, chain);
     }
     return result;
 }

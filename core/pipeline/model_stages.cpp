@@ -9,6 +9,10 @@
 #include "core/realization/model/model_fit.h"
 #include "core/shock/peak_tracking.h"
 #include "core/uncertainty/capability.h"
+#include "core/uncertainty/known_values.h"
+
+#include <algorithm>
+#include <iterator>
 
 namespace dyncal {
 namespace {
@@ -73,6 +77,9 @@ UncertaintyReport uncertaintyOfResponse(
             stepsUsed(*results.reference, *results.shock, recipe.response),
             uncertaintyRequest(recipe.uncertainty).stated);
     holdToCapability(recipe.uncertainty.cmc, response, report);
+    report.known = compareKnown(
+        recipe.response.known, response, report, {*results.model, results.input->treatment});
+    std::ranges::move(judgeKnown(report.known), std::back_inserter(report.findings));
     return report;
 }
 

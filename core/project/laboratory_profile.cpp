@@ -30,7 +30,7 @@ const Allowed &allowedSections()
                 "attenuation_per_m", "dut_distance_to_end_wall_m", "tube_length_m",
                 "wall_sound_speed_m_s", "plateau_guard_s", "largest_mach",
                 "largest_driver_pressure_pa"}},
-        {"uncertainty", {"budget", "cmc"}},
+        {"uncertainty", {"budget", "cmc", "correlations"}},
     };
     return sections;
 }
@@ -117,30 +117,35 @@ Result<LaboratoryProfile> namedProfile(Json document, std::string sha256, const 
         std::move(document), ProfileMark{*name, *version, std::move(sha256), {}}};
 }
 
-const char *idOf(const std::string &list)
+/// Whether its elements have names, so that lists of profile and recipe are joined line by line.
+bool hasNames(const std::string &list)
 {
-    if (list == "budget")
-        return "quantity";
-    return list == "cmc" ? "of" : nullptr;
+    return list == "budget" || list == "cmc" || list == "correlations";
 }
 
-Json nameOf(const Json &line, const char *id)
+/// Of a correlation the pair, whichever of the two is written first.
+Json nameOf(const Json &line, const std::string &list)
 {
-    return line.is_object() ? line.value(id, Json()) : Json();
+    if (!line.is_object())
+        return {};
+    if (list != "correlations")
+        return line.value(list == "budget" ? "quantity" : "of", Json());
+    const Json one = line.value("quantity", Json()), other = line.value("with", Json());
+    return one < other ? Json::array({one, other}) : Json::array({other, one});
 }
 
-bool holdsName(const Json &lines, const Json &name, const char *id)
+bool holdsName(const Json &lines, const Json &name, const std::string &list)
 {
     return std::any_of(
-        lines.begin(), lines.end(), [&](const Json &line) { return nameOf(line, id) == name; });
+        lines.begin(), lines.end(), [&](const Json &line) { return nameOf(line, list) == name; });
 }
 
 /// All of `upper`, behind those lines of `lower` that it has no name of.
-Json joinedLines(const Json &lower, const Json &upper, const char *id)
+Json joinedLines(const Json &lower, const Json &upper, const std::string &list)
 {
     Json joined = Json::array();
     for (const Json &line : lower)
-        if (!holdsName(upper, nameOf(line, id), id))
+        if (!holdsName(upper, nameOf(line, list), list))
             joined.push_back(line);
     joined.insert(joined.end(), upper.begin(), upper.end());
     return joined;
@@ -150,7 +155,7 @@ void joinList(const char *list, const Json &lower, Json &upper)
 {
     const Json::json_pointer at("/uncertainty/" + std::string(list));
     if (lower.contains(at) && upper.contains(at) && lower[at].is_array() && upper[at].is_array())
-        upper[at] = joinedLines(lower[at], upper[at], idOf(list));
+        upper[at] = joinedLines(lower[at], upper[at], list);
 }
 
 /// `value` as far as the keys of `form` go.
@@ -164,20 +169,23 @@ bool isAsStated(const Json &form, const Json &value)
 }
 
 /// Also of what is no line: a recipe's mark may have been edited.
-std::string wordOf(const Json &line, const char *id)
+std::string wordOf(const Json &line, const std::string &list)
 {
-    const Json name = nameOf(line, id);
-    return name.is_string() ? name.get<std::string>() : std::string();
+    const auto word = [](const Json &value) {
+        return value.is_string() ? value.get<std::string>() : std::string();
+    };
+    const Json name = nameOf(line, list);
+    return name.is_array() ? word(name[0]) + ", " + word(name[1]) : word(name);
 }
 
-void compareLines(const Json &stated, const Json &found, const std::string &path, const char *id,
-    std::vector<std::string> &changed)
+void compareLines(const Json &stated, const Json &found, const std::string &path,
+    const std::string &list, std::vector<std::string> &changed)
 {
     for (const Json &line : stated) {
         const bool isThere = std::any_of(
             found.begin(), found.end(), [&](const Json &other) { return isAsStated(line, other); });
         if (!isThere)
-            changed.push_back(path + "{" + wordOf(line, id) + "}");
+            changed.push_back(path + "{" + wordOf(line, list) + "}");
     }
 }
 
@@ -193,8 +201,8 @@ void compareObjects(const Json &stated, const Json &found, const std::string &pa
     for (const auto &[key, value] : stated.items()) {
         const std::string here = path.empty() ? key : std::string(path).append(".").append(key);
         const Json other = found.is_object() ? found.value(key, Json()) : Json();
-        if (idOf(key) && value.is_array())
-            compareLines(value, other, here, idOf(key), changed);
+        if (hasNames(key) && value.is_array())
+            compareLines(value, other, here, key, changed);
         else if (value.is_object() && other.is_object())
             compareObjects(value, other, here, changed);
         else if (value != other && !isRoleOf(value, other))
@@ -236,7 +244,7 @@ void joinRecipes(Json &lower, const Json &upper)
     Json joined = upper;
     if (namesChain(upper)) // another file: neither the hash nor the list of the one below
         lower.erase("chain");
-    for (const char *list : {"budget", "cmc"})
+    for (const char *list : {"budget", "cmc", "correlations"})
         joinList(list, lower, joined);
     putOver(lower, joined);
 }

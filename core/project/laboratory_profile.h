@@ -23,16 +23,17 @@ struct LaboratoryProfile
 
 /// Takes a profile's JSON text apart. `path` names it in sentences. Fails (Usage) on malformed JSON
 /// and where it holds anything but what is the same for every calibration of a laboratory: import,
-/// checks and, with the schema dyncal-profile/1, the tube in "shock", "budget" and "cmc" in
-/// "uncertainty", and "chain". The values themselves are not looked at.
+/// checks and, with the schema dyncal-profile/1, the tube in "shock", "budget", "correlations" and
+/// "cmc" in "uncertainty", and "chain". The values themselves are not looked at.
 Result<LaboratoryProfile> laboratoryProfile(const std::string &text, const std::string &path);
 
 /// Whether a document says which file states the chain's response; the file is beside it.
 bool namesChain(const Json &document);
 
 /// Puts one document over another as putOver(), with what a laboratory states line by line
-/// (uncertainty.budget by quantity, uncertainty.cmc by what it is of): a line below stays unless
-/// `upper` has its name. A chain's file of `upper` takes the place of all of the chain below.
+/// (uncertainty.budget by quantity, .correlations by the pair, .cmc by what it is of): a line below
+/// stays unless `upper` has its name. A chain's file of `upper` takes the place of all of the chain
+/// below.
 void joinRecipes(Json &lower, const Json &upper);
 
 /// The sections "profile" of a recipe, null without one.

@@ -170,6 +170,26 @@ Codec<RealizationSettings> realizationCodec()
     });
 }
 
+Codec<KnownSensitivity> knownSensitivity()
+{
+    using S = KnownSensitivity;
+    return object<S>({
+        field("label", DYNCAL_TEXT("RecipeLabel", "name of a known value"), &S::label,
+            nonEmptyText(), true),
+        field("frequency_hz", DYNCAL_TEXT("RecipeLabel", "frequency of a known value"),
+            &S::frequency_Hz, nonNegativeNumber()),
+        field("magnitude", DYNCAL_TEXT("RecipeLabel", "known value"), &S::magnitude,
+            positiveNumber(), true),
+        field("u", DYNCAL_TEXT("RecipeLabel", "u of a known value"), &S::u, positiveNumber(), true),
+        field("unit", DYNCAL_TEXT("RecipeLabel", "unit of a known value"), &S::unit, nonEmptyText(),
+            true),
+        field("dof", DYNCAL_TEXT("RecipeLabel", "degrees of freedom of a known value"), &S::dof,
+            orNull(positiveNumber())),
+        field("certificate", DYNCAL_TEXT("RecipeLabel", "certificate of a known value"),
+            &S::certificate, textOrNull()),
+    });
+}
+
 Codec<ResponseSettings> responseCodec()
 {
     using S = ResponseSettings;
@@ -177,6 +197,8 @@ Codec<ResponseSettings> responseCodec()
         frequencies(),
         field("reference", DYNCAL_TEXT("RecipeLabel", "reference of the response"), &S::reference,
             oneOf({"computed-step", "static-sensitivity", "unit-step", "transducer"})),
+        field("known", DYNCAL_TEXT("RecipeLabel", "values of other calibrations"), &S::known,
+            list(knownSensitivity())),
     });
 }
 

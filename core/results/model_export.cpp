@@ -78,20 +78,6 @@ Json complexList(const Eigen::VectorXcd &values)
     return list;
 }
 
-/// With the uncertainties that are stated of it; `u_...` and `coverage_factor` have the noise
-/// alone.
-Json statedPoleJson(const Pole &pole, const PoleUncertainty &stated)
-{
-    JsonRecord record;
-    record.number("u_complete_frequency_hz", stated.u_frequency_Hz, kNoUncertainty);
-    record.number("k_frequency", stated.kFrequency, kNoUncertainty);
-    record.number("u_complete_damping_ratio", stated.u_dampingRatio, kNoUncertainty);
-    record.number("k_damping_ratio", stated.kDamping, kNoUncertainty);
-    Json json = poleJson(pole);
-    json.update(record.take());
-    return json;
-}
-
 /// In the order of `s_rad_s`; the step's own pole, which is none of these, last.
 Json poleList(const CalibrationResults &results)
 {

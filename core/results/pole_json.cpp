@@ -3,7 +3,10 @@
 
 #include "core/results/pole_json.h"
 
+#include "core/realization/model/pole_classes.h"
 #include "core/results/results_context.h"
+
+#include <algorithm>
 
 namespace dyncal {
 
@@ -22,6 +25,32 @@ JsonRecord::Json poleJson(const Pole &pole)
     record.number("coverage_factor", pole.coverageFactor, kNoUncertainty);
     record.number("amplitude", pole.amplitude, "The amplitude could not be fitted.");
     return record.take();
+}
+
+std::vector<std::size_t> listedPoles(const std::vector<Pole> &poles)
+{
+    std::vector<Pole> sorted = poles;
+    sortPoles(sorted);
+    std::vector<std::size_t> positions;
+    for (const Pole &pole : sorted) {
+        const auto found = std::ranges::find(poles, pole.z, &Pole::z);
+        positions.push_back(static_cast<std::size_t>(found - poles.begin()));
+    }
+    return positions;
+}
+
+JsonRecord::Json statedPoleJson(const Pole &pole, const PoleUncertainty &stated)
+{
+    JsonRecord record;
+    record.number("u_complete_frequency_hz", stated.u_frequency_Hz, kNoUncertainty);
+    record.number("k_frequency", stated.kFrequency, kNoUncertainty);
+    record.number("u_complete_damping_ratio", stated.u_dampingRatio, kNoUncertainty);
+    record.number("k_damping_ratio", stated.kDamping, kNoUncertainty);
+    record.number("u_amplitude", stated.u_amplitude, kNoUncertainty);
+    record.number("k_amplitude", stated.kAmplitude, kNoUncertainty);
+    JsonRecord::Json json = poleJson(pole);
+    json.update(record.take());
+    return json;
 }
 
 } // namespace dyncal

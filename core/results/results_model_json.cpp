@@ -99,6 +99,19 @@ std::string gainUnit(const ResultsContext &context)
     return window && !window->responses.empty() ? window->responses.front().unit : "";
 }
 
+/// Every pole with what is stated of it.
+Json polesJson(const CalibrationResults &results)
+{
+    const SensorModel &model = *results.model;
+    const std::vector<Pole> &poles = polesOf(model, results.assessment.get());
+    const std::vector<PoleUncertainty> stated
+        = statedPoles(model, results.assessment.get(), results.uncertainty.get());
+    Json list = Json::array();
+    for (const std::size_t i : listedPoles(poles))
+        list.push_back(statedPoleJson(poles[i], stated[i]));
+    return list;
+}
+
 } // namespace
 
 void addModel(JsonRecord &root, const ResultsContext &context)
@@ -112,12 +125,7 @@ void addModel(JsonRecord &root, const ResultsContext &context)
     JsonRecord section;
     section.set("order", model->order);
     addStateSpace(section, model->stateSpace);
-    Json poles = Json::array();
-    std::vector<Pole> sorted = polesOf(*model, assessment);
-    sortPoles(sorted);
-    for (const Pole &pole : sorted)
-        poles.push_back(poleJson(pole));
-    section.set("poles", std::move(poles));
+    section.set("poles", polesJson(context.results()));
     Json zeros = Json::array();
     for (const std::complex<double> &zero : model->zeros)
         zeros.push_back({{"re", finiteOrNull(zero.real())}, {"im", finiteOrNull(zero.imag())}});

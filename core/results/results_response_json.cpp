@@ -5,6 +5,7 @@
 
 #include "core/base/constants.h"
 #include "core/model_analysis/stated_characteristics.h"
+#include "core/results/results_known_json.h"
 #include "core/results/results_uncertainty_json.h"
 
 namespace dyncal {
@@ -108,6 +109,8 @@ const char *markName(RowMark mark)
         return "minus_3_db";
     case RowMark::Resonance:
         return "resonance";
+    case RowMark::Known:
+        return "known";
     case RowMark::HighEnd:
         break;
     }
@@ -160,6 +163,7 @@ JsonRecord responseSection(
     section.set("u_front_duration_s", response.front.u_s);
     section.text("unit", response.unit, "The recordings state no unit.");
     section.set("source", response.isByTransducer ? "transducer" : "step");
+    section.set("known", knownJson(report ? report->known : std::vector<KnownValue>()));
     return section;
 }
 

@@ -3,6 +3,8 @@
 
 #include "core/results/results_uncertainty_json.h"
 
+#include "core/results/pole_json.h"
+
 #include <string>
 
 namespace dyncal {
@@ -81,6 +83,21 @@ void addSensitivityLines(const UncertaintyReport &report, UncertaintyJson &list)
         addLines("shots" + placeOf(i) + ".sensitivity", report.ofShots[i], list);
 }
 
+/// In the order of results.json; a pair has one amplitude.
+void addAmplitudeLines(const CalibrationResults &results, UncertaintyJson &list)
+{
+    const std::vector<ReportedValue> &amplitudes = results.uncertainty->amplitudes;
+    if (!results.model)
+        return;
+    const std::vector<Pole> &poles = polesOf(*results.model, results.assessment.get());
+    std::size_t listed = 0;
+    for (const std::size_t i : listedPoles(poles)) {
+        if (i < amplitudes.size() && !(poles[i].z.imag() < 0.0))
+            addLines("model.poles" + placeOf(listed) + ".amplitude", amplitudes[i], list);
+        ++listed;
+    }
+}
+
 /// Of a comparison beside the response by the step; against a transducer it is the response itself.
 void addComparisonLines(const CalibrationResults &results, UncertaintyJson &list)
 {
@@ -155,6 +172,7 @@ void addBudget(JsonRecord &root, const ResultsContext &context)
         addSensitivityLines(*report, list);
         for (const ReportedValue &one : report->ofModel)
             addLines(one.of, one, list);
+        addAmplitudeLines(context.results(), list);
         const ResponseResult *response = context.results().response.get();
         const bool isShort = response && response->frequency_Hz.size() <= kMostRows;
         if (isShort) {

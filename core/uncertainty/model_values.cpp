@@ -6,9 +6,9 @@
 #include "core/model_analysis/marked_frequencies.h"
 #include "core/model_analysis/stated_characteristics.h"
 #include "core/uncertainty/front_effect.h"
+#include "core/uncertainty/model_noise.h"
 #include "core/uncertainty/weak_modes.h"
 
-#include <algorithm>
 #include <array>
 #include <cmath>
 #include <functional>
@@ -140,9 +140,7 @@ void takeAssessed(const SensorResonance &assessed, Spread &u)
 {
     if (!std::isfinite(assessed.u_frequency_Hz))
         return;
-    const double wider = u[0] > 0.0 && u[1] > 0.0
-        ? std::max({1.0, assessed.u_frequency_Hz / u[0], assessed.u_dampingRatio / u[1]})
-        : 1.0;
+    const double wider = widening(assessed.u_frequency_Hz, u[0], assessed.u_dampingRatio, u[1]);
     for (double &one : u)
         one *= wider;
     u[0] = assessed.u_frequency_Hz;
@@ -193,15 +191,6 @@ Message whyIncomplete(double u, double other)
     return {};
 }
 
-/// Where the shots' scatter stands for the noise, their number is what u rests on.
-UncertaintyLine noiseLine(double u, const SensorModel &model, const ModelAssessment &assessment)
-{
-    const bool isScatter = assessment.homogeneity && !assessment.homogeneity->passed;
-    const double dof
-        = isScatter ? static_cast<double>(model.series.size()) - 1.0 : model.draft.noise.dof;
-    return with(isScatter ? OverShots::Scatter : OverShots::Own, directLine("noise", u, dof));
-}
-
 } // namespace
 
 std::vector<ReportedValue> modelValues(const SensorModel &model, const ModelAssessment &assessment,
@@ -230,7 +219,7 @@ std::vector<ReportedValue> modelValues(const SensorModel &model, const ModelAsse
         const double other = isShaped && withoutWeak ? *withoutWeak.*kRows[i].value : one.value;
         one.missing = whyIncomplete(u[i], other);
         if (*one.missing.text == '\0') {
-            one.lines = {noiseLine(u[i], model, assessment)};
+            one.lines = {modelNoiseLine(u[i], model, assessment)};
             if (kRows[i].kind != Kind::Number)
                 one.lines.push_back(scaled({clock}, one.value).front());
             if (isShaped)

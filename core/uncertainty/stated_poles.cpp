@@ -11,8 +11,11 @@ namespace {
 
 PoleUncertainty withClock(const Pole &pole, const UncertaintyLine &clock)
 {
-    return {std::hypot(pole.u_frequency_Hz, clock.contribution * pole.frequency_Hz),
-        pole.coverageFactor, pole.u_dampingRatio, pole.coverageFactor};
+    return {
+        .u_frequency_Hz = std::hypot(pole.u_frequency_Hz, clock.contribution * pole.frequency_Hz),
+        .kFrequency = pole.coverageFactor,
+        .u_dampingRatio = pole.u_dampingRatio,
+        .kDamping = pole.coverageFactor};
 }
 
 PoleUncertainty asReported(const UncertaintyReport &report)
@@ -21,7 +24,12 @@ PoleUncertainty asReported(const UncertaintyReport &report)
     const ReportedValue *zeta = report.find("damping_ratio");
     if (!f0 || !f0->u || !zeta || !zeta->u)
         return {};
-    return {*f0->u, f0->k, *zeta->u, zeta->k, f0->leastExpanded, zeta->leastExpanded};
+    return {.u_frequency_Hz = *f0->u,
+        .kFrequency = f0->k,
+        .u_dampingRatio = *zeta->u,
+        .kDamping = zeta->k,
+        .leastFrequency_Hz = f0->leastExpanded,
+        .leastDamping = zeta->leastExpanded};
 }
 
 /// A pair is one resonance; a sensor of damping ratio 1 and more has one that no pole has.
@@ -45,10 +53,15 @@ std::vector<PoleUncertainty> statedPoles(
         return stated;
     const auto resonance = sensorResonance(&model, assessment);
     const PoleUncertainty ofResonance = asReported(*report);
-    for (std::size_t i = 0; i < poles.size(); ++i)
+    for (std::size_t i = 0; i < poles.size(); ++i) {
         stated[i] = isOf(resonance, poles[i]) && std::isfinite(ofResonance.u_frequency_Hz)
             ? ofResonance
             : withClock(poles[i], report->chain.clock);
+        if (i < report->amplitudes.size() && report->amplitudes[i].u) {
+            stated[i].u_amplitude = *report->amplitudes[i].u;
+            stated[i].kAmplitude = report->amplitudes[i].k;
+        }
+    }
     return stated;
 }
 

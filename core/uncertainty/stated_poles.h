@@ -18,6 +18,8 @@ struct PoleUncertainty
     double kFrequency = kUnknown;
     double u_dampingRatio = kUnknown;
     double kDamping = kUnknown;
+    double u_amplitude = kUnknown; ///< of |c_i|, in the model's unit
+    double kAmplitude = kUnknown;
     double leastFrequency_Hz = 0.0; ///< the CMC of what is reported; 0 without one
     double leastDamping = 0.0;
 };

@@ -4,6 +4,7 @@
 #include "core/uncertainty/transducer_comparison.h"
 
 #include "core/base/number_text.h"
+#include "core/model_analysis/response_rows.h"
 #include "core/uncertainty/front_effect.h"
 
 #include <algorithm>
@@ -24,17 +25,6 @@ double uCommonAlone(const UncertaintyReport &report)
                 == report.chain.ofSensitivity.end();
         });
     return combined(alone).u;
-}
-
-/// The row of the same frequency; empty where there is none or it is withheld.
-std::optional<Index> rowAt(const ResponseResult &response, double frequency_Hz)
-{
-    constexpr double kRounding = 1e-9;
-    for (Index row = 0; row < response.magnitude.size(); ++row)
-        if (std::abs(response.frequency_Hz[row] / frequency_Hz - 1.0) < kRounding
-            && std::isfinite(response.magnitude[row]))
-            return row;
-    return std::nullopt;
 }
 
 /// Of one pair of rows, relative to the mean of both.
@@ -114,7 +104,8 @@ std::optional<StepAgainstTransducer> compareWithStep(
     std::vector<RowDifference> flat;
     std::vector<RowDifference> all;
     for (Index row = 0; row < response.magnitude.size(); ++row) {
-        const std::optional<Index> other = rowAt(byStep.response, response.frequency_Hz[row]);
+        const std::optional<Index> other
+            = measuredRowAt(byStep.response, response.frequency_Hz[row]);
         if (!other || !std::isfinite(response.magnitude[row]))
             continue;
         all.push_back(differenceOf(byTransducer, row, byStep, *other, correlation));
@@ -138,9 +129,9 @@ std::vector<ComparedRow> comparedRows(const ComparisonResult &comparison)
     const bool isAlike = t.response.unit == s.response.unit;
     for (Index row = 0; row < t.response.magnitude.size(); ++row) {
         const double f_Hz = t.response.frequency_Hz[row];
-        rows.push_back(
-            {f_Hz, statedAt(t, row), statedAt(s, isAlike ? rowAt(s.response, f_Hz) : std::nullopt),
-                comparison.againstStep ? comparison.againstStep->e_n[row] : kUnknown});
+        rows.push_back({f_Hz, statedAt(t, row),
+            statedAt(s, isAlike ? measuredRowAt(s.response, f_Hz) : std::nullopt),
+            comparison.againstStep ? comparison.againstStep->e_n[row] : kUnknown});
     }
     return rows;
 }

@@ -6,6 +6,7 @@
 #include "core/base/number_text.h"
 #include "core/model_analysis/transducer_steps.h"
 #include "core/uncertainty/model_values.h"
+#include "core/uncertainty/pole_amplitudes.h"
 
 #include <algorithm>
 #include <cmath>
@@ -217,6 +218,7 @@ UncertaintyReport reportUncertainty(const ModelInput &input, const SensorModel &
     const std::vector<ModelVariation> variations = modelVariations(input, model);
     report.ofModel
         = modelValues(model, assessment, response, variations, input.treatment, report.chain.clock);
+    report.amplitudes = poleAmplitudes(model, assessment, variations, response.front);
     const std::optional<CommonLines> common = commonLines(response, chain);
     report.rows = rowUncertainty(response, common, model, variations, input.treatment);
     if (response.atMarks)

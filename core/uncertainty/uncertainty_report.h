@@ -9,6 +9,7 @@
 #include "core/realization/model/model_assessment.h"
 #include "core/realization/model/sensor_model.h"
 #include "core/shock/shock_conditions.h"
+#include "core/uncertainty/known_value.h"
 #include "core/uncertainty/reported_value.h"
 #include "core/uncertainty/row_uncertainty.h"
 
@@ -24,10 +25,12 @@ struct UncertaintyReport
     std::vector<ReportedValue> perLevel; ///< in the order of the summary
     std::vector<ReportedValue> ofShots; ///< sensitivity of each shot, as in ResponseResult::shots
     std::vector<ReportedValue> ofModel; ///< modelValues()
+    std::vector<ReportedValue> amplitudes; ///< poleAmplitudes()
     RowUncertainty rows;
     RowUncertainty rowsAtMarks; ///< of ResponseResult::atMarks
     ChainEffects chain;
-    Findings findings; ///< UNC-001, UNC-002
+    std::vector<KnownValue> known; ///< of compareKnown(), in the recipe's order
+    Findings findings; ///< UNC-001, UNC-002, UNC-004, UNC-005
 
     const ReportedValue *find(const std::string &of) const; ///< null without it
 };

@@ -257,6 +257,29 @@ constexpr Tip kTips[]{
         QT_TRANSLATE_NOOP("ControlTips", "No longer divide the chain's response out of S(f)")},
     {"chainList",
         QT_TRANSLATE_NOOP("ControlTips", "Which list of the certificate is meant, by its id")},
+    {"knownList",
+        QT_TRANSLATE_NOOP(
+            "ControlTips", "Entries of the recipe; the selected one stands in the fields below")},
+    {"knownLabel",
+        QT_TRANSLATE_NOOP("ControlTips", "What the certificate calls the other calibration")},
+    {"knownCertificate",
+        QT_TRANSLATE_NOOP("ControlTips", "Number of its certificate; may be left out")},
+    {"knownFrequency", QT_TRANSLATE_NOOP("ControlTips", "At which the value holds; empty: static")},
+    {"knownUnit",
+        QT_TRANSLATE_NOOP(
+            "ControlTips", "Such as V/Pa or mV/bar; it is converted to the unit of S(f)")},
+    {"knownMagnitude",
+        QT_TRANSLATE_NOOP("ControlTips", "The sensitivity that it states, in this unit")},
+    {"knownU",
+        QT_TRANSLATE_NOOP(
+            "ControlTips", "Its expanded uncertainty, in the unit of the value, at k = 2")},
+    {"knownAdd",
+        QT_TRANSLATE_NOOP(
+            "ControlTips", "Put what stands in the fields into the recipe, as a further entry")},
+    {"knownReplace",
+        QT_TRANSLATE_NOOP(
+            "ControlTips", "Put what stands in the fields in the place of the selected entry")},
+    {"knownRemove", QT_TRANSLATE_NOOP("ControlTips", "Take the selected entry out of the recipe")},
     {"capabilityList",
         QT_TRANSLATE_NOOP(
             "ControlTips", "Entries of the recipe; the selected one stands in the fields below")},

@@ -115,7 +115,10 @@ inline Recipe fullRecipe()
     r.realization.candidates = {2, 3, 100};
     r.realization.candidateNotes = {{3, "splits the second mode"}};
     r.realization.adoptedReason = "lowest order that fits";
-    r.response = {.frequencies_Hz = {1e3, 1e5}, .grid = "list", .reference = "unit-step"};
+    r.response = {.frequencies_Hz = {1e3, 1e5},
+        .grid = "list",
+        .reference = "unit-step",
+        .known = {{"static", 500.0, 1.02, 0.01, "mV/bar", 12.0, "K 7"}}};
     r.uncertainty = {.budget
         = {{"t1_k", 0.3, "rectangular", 12.0, "C 12", "2027-01-31"}, {"p1_pa", 50.0, "normal", {}}},
         .correlations = {{"t1_k", "p1_pa", -0.5}},

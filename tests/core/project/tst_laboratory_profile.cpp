@@ -76,6 +76,24 @@ private slots:
         QCOMPARE(all.uncertainty.cmc.size(), 1);
     }
 
+    /// A pair is one, whichever of the two is written first.
+    void correlations_joinByPair()
+    {
+        const std::string profile = R"({"schema": "dyncal-profile/1", "name": "Tube 2",
+            "version": "8", "uncertainty": {"correlations": [
+            {"quantity": "gain_relative", "with": "reference_gain_relative", "r": 0.9},
+            {"quantity": "t1_k", "with": "p1_pa", "r": 0.2}]}})";
+        const Recipe recipe = joined(R"({"uncertainty": {"correlations": [
+            {"quantity": "p1_pa", "with": "t1_k", "r": 0.5}]}})",
+            profile)
+                                  .value();
+        QCOMPARE(recipe.uncertainty.correlations.size(), 2);
+        QCOMPARE(recipe.uncertainty.correlations[0].coefficient, 0.9);
+        QCOMPARE(recipe.uncertainty.correlations[1].coefficient, 0.5);
+        QCOMPARE(changedFromProfile(recipe),
+            std::vector<std::string>{"uncertainty.correlations{p1_pa, t1_k}"});
+    }
+
     void whatDiffers_isNamed()
     {
         const Recipe recipe = joined(R"({"shock": {"driven_length_m": 1.5},

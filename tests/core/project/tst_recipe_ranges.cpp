@@ -31,6 +31,7 @@ const std::map<std::string, const char *> kElements{
     {"window.exclude_stretches", R"({"shot": 1, "from_s": 0, "to_s": 1, "reason": "x"})"},
     {"realization.nuisance_modes", R"({"frequency_hz": 1, "reason": "x"})"},
     {"realization.candidate_notes", R"({"order": 3, "note": "x"})"},
+    {"response.known", R"({"label": "a", "magnitude": 1, "u": 1, "unit": "V/Pa"})"},
     {"uncertainty.budget", R"({"quantity": "a", "u": 1})"},
     {"uncertainty.correlations", R"({"quantity": "p1_pa", "with": "t1_k", "r": 0.5})"},
     {"uncertainty.cmc", R"({"of": "f0_hz", "expanded": 1})"},

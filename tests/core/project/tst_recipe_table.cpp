@@ -139,6 +139,9 @@ private slots:
             {"realization.nuisance_modes",
                 R"({"frequency_hz": 1, "shot": 0, "kind": "tube", "label": "", "reason": "x"})"},
             {"realization.candidate_notes", R"({"order": 3, "note": "x"})"},
+            {"response.known",
+                R"({"label": "a", "frequency_hz": 0, "magnitude": 1, "u": 1, "unit": "V/Pa",
+                    "dof": null, "certificate": null})"},
             {"uncertainty.budget",
                 R"({"quantity": "a", "u": 1, "distribution": "normal", "dof": null,
                     "certificate": null, "due": null})"},
@@ -164,7 +167,7 @@ private slots:
             QVERIFY2(accepted == (row.defaultText != "needed"), qPrintable(row.key));
             ++checked;
         }
-        QCOMPARE(checked, 44);
+        QCOMPARE(checked, 51);
     }
 
     void example_isARecipe()

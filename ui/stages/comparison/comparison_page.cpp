@@ -4,7 +4,10 @@
 #include "ui/stages/comparison/comparison_page.h"
 
 #include "ui/plot/curves/comparison_curves.h"
+#include "ui/plot/curves/known_curves.h"
 #include "ui/stages/comparison/comparison_words.h"
+#include "ui/stages/comparison/known_panel.h"
+#include "ui/stages/comparison/known_words.h"
 #include "ui/stages/comparison/reference_panel.h"
 #include "ui/stages/comparison/source_panel.h"
 #include "ui/stages/frame/folding_splitter.h"
@@ -12,6 +15,8 @@
 #include "ui/stages/frame/value_table.h"
 
 #include <QSplitter>
+
+#include <algorithm>
 
 namespace dyncal {
 
@@ -53,8 +58,10 @@ void ComparisonPage::buildContent()
     values->setSizes({1000, 1000});
     split->addWidget(values);
     split->addWidget(m_error);
+    m_knownTable = new ValueTable("knownTable", tr("Values of other calibrations"), this);
     split->addWidget(m_table);
-    split->setSizes({1000, 600, 700});
+    split->addWidget(m_knownTable);
+    split->setSizes({1000, 600, 700, 300});
     content()->addWidget(split, 1);
 }
 
@@ -68,6 +75,7 @@ void ComparisonPage::buildInspector(Prompts &prompts)
     new SourcePanel(session(), prompts, form, referenceSection(), this);
     panel->buildModel();
     panel->buildMounting();
+    m_known = new KnownPanel(session(), form, this);
     form.addSection(tr("Amplifier and converter"));
     new SourcePanel(session(), prompts, form, chainSection(), this);
 }
@@ -79,19 +87,38 @@ void ComparisonPage::showResults()
     m_advice->setText(advice);
     m_advice->setVisible(!advice.isEmpty());
     const ComparisonResult *comparison = results().comparison.get();
+    showTables(comparison);
+    showPlots(comparison && comparison->byTransducer ? comparison : nullptr);
+    m_known->suggestUnit();
+}
+
+void ComparisonPage::showTables(const ComparisonResult *comparison)
+{
     const ShownTable table = comparisonTable(comparison);
     m_table->setValues(table.headers, table.rows);
-    showPlots(comparison && comparison->byTransducer ? comparison : nullptr);
+    const auto &report = results().uncertainty;
+    const ShownTable known = knownTable(report ? report->known : std::vector<KnownValue>());
+    m_knownTable->setValues(known.headers, known.rows);
+    m_knownTable->setVisible(!known.rows.empty());
+    m_table->setVisible(!table.rows.empty() || known.rows.empty());
 }
 
 void ComparisonPage::showPlots(const ComparisonResult *comparison)
 {
-    m_magnitude->setContent(comparison ? comparedMagnitudeCurves(*comparison) : nothingYet());
+    const ResponseResult *response = results().response.get();
+    const UncertaintyReport *report = results().uncertainty.get();
+    const bool hasKnown = response && report && report->sensitivity
+        && std::ranges::any_of(report->known, &KnownValue::isCompared);
+    const PlotContent other = hasKnown ? knownMagnitudeCurves(*response, *report) : nothingYet();
+    const PlotContent otherDeviation
+        = hasKnown ? knownDeviationCurves(*response, *report) : nothingYet();
+    m_magnitude->setContent(comparison ? comparedMagnitudeCurves(*comparison) : other);
     m_deviation->setContent(comparison && comparison->againstStep
             ? comparedDeviationCurves(*comparison)
-            : nothingYet());
+            : otherDeviation);
     m_error->setContent(
         comparison && comparison->againstStep ? normalisedErrorCurves(*comparison) : nothingYet());
+    m_error->setVisible(!hasKnown || comparison);
 }
 
 } // namespace dyncal

@@ -7,12 +7,14 @@
 
 namespace dyncal {
 
+class KnownPanel;
 class Prompts;
 class ReferencePanel;
 class ValueTable;
 
 /// Stage 11: what S(f) is related to besides the pressure step. A reference transducer beside the
-/// sensor, S(f) against it and against the step; and the chain's response, divided out of S(f).
+/// sensor, S(f) against it and against the step; values of other calibrations beside S(f); and the
+/// chain's response, divided out of S(f).
 class ComparisonPage : public StagePage
 {
     Q_OBJECT
@@ -28,6 +30,7 @@ private:
     void buildContent();
     QLabel *addSentence(const char *objectName);
     void buildInspector(Prompts &prompts);
+    void showTables(const ComparisonResult *comparison);
     void showPlots(const ComparisonResult *comparison);
 
     QLabel *m_verdict;
@@ -36,6 +39,8 @@ private:
     PlotWidget *m_deviation;
     PlotWidget *m_error;
     ValueTable *m_table;
+    ValueTable *m_knownTable;
+    KnownPanel *m_known;
 };
 
 } // namespace dyncal

@@ -3,6 +3,7 @@
 
 #include "ui/stages/comparison/comparison_words.h"
 
+#include "ui/stages/comparison/known_words.h"
 #include "ui/text/quantity_column.h"
 #include "ui/text/quantity_format.h"
 #include "ui/text/shown_text.h"
@@ -178,6 +179,9 @@ QString comparisonVerdict(const CalibrationResults &results)
     const ComparisonResult *comparison = results.comparison.get();
     if (!comparison)
         return {};
+    const auto &report = results.uncertainty;
+    if (!comparison->byTransducer && report && !report->known.empty())
+        return knownVerdict(report->known);
     if (!comparison->byTransducer)
         return ComparisonWords::tr(
             "No comparison is asked for. Where a transducer of known sensitivity was recorded beside the sensor, say what it is, then switch the comparison on.");

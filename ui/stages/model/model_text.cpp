@@ -104,7 +104,8 @@ QStringList poleHeaders()
 {
     return {ModelText::tr("Frequency"), ModelText::tr("u(f)"), ModelText::tr("k"),
         ModelText::tr("Damping ratio"), ModelText::tr("u(ζ)"), ModelText::tr("k"),
-        ModelText::tr("Amplitude"), ModelText::tr("Class"), ModelText::tr("Flags")};
+        ModelText::tr("Amplitude"), ModelText::tr("u(amplitude)"), ModelText::tr("Class"),
+        ModelText::tr("Flags")};
 }
 
 QVector<QStringList> poleRows(
@@ -112,14 +113,18 @@ QVector<QStringList> poleRows(
 {
     std::vector<Estimate> frequencies;
     std::vector<Estimate> dampings;
+    std::vector<Estimate> amplitudes;
     frequencies.reserve(poles.size());
     dampings.reserve(poles.size());
+    amplitudes.reserve(poles.size());
     for (std::size_t i = 0; i < poles.size(); ++i) {
         frequencies.push_back({poles[i].frequency_Hz, stated[i].u_frequency_Hz});
         dampings.push_back({poles[i].dampingRatio, stated[i].u_dampingRatio});
+        amplitudes.push_back({poles[i].amplitude, stated[i].u_amplitude});
     }
     const std::vector<ShownResult> shownFrequencies = shownColumn(frequencies, "Hz");
     const std::vector<ShownResult> shownDampings = shownColumn(dampings, {});
+    const std::vector<ShownResult> shownAmplitudes = shownColumn(amplitudes, {});
     QVector<QStringList> rows;
     for (std::size_t i = 0; i < poles.size(); ++i) {
         const Pole &pole = poles[i];
@@ -128,7 +133,7 @@ QVector<QStringList> poleRows(
         rows.push_back(
             {shownFrequencies[i].value, shownFrequencies[i].u, shownNumber(stated[i].kFrequency, 3),
                 shownDampings[i].value, shownDampings[i].u, shownNumber(stated[i].kDamping, 3),
-                shownNumber(pole.amplitude, 3), kindText(pole), flagTexts(pole)});
+                shownAmplitudes[i].value, shownAmplitudes[i].u, kindText(pole), flagTexts(pole)});
     }
     return rows;
 }

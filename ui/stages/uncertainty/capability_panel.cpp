@@ -5,6 +5,7 @@
 
 #include "core/project/capability_quantities.h"
 #include "ui/stages/frame/checked_change.h"
+#include "ui/stages/frame/entry_list.h"
 #include "ui/stages/frame/inspector_form.h"
 #include "ui/stages/frame/optional_edit.h"
 #include "ui/stages/frame/recipe_change.h"
@@ -12,11 +13,7 @@
 #include "ui/text/shown_text.h"
 
 #include <QComboBox>
-#include <QListWidget>
 #include <QPushButton>
-#include <QSignalBlocker>
-
-#include <algorithm>
 
 namespace dyncal {
 
@@ -25,7 +22,6 @@ namespace {
 constexpr double kLeastCapability = 1e-30; ///< above 0
 constexpr double kMostCapability = 1e9;
 constexpr double kMostFrequency_Hz = 1e12;
-constexpr int kListHeight_px = 90;
 
 QString sensitivityUnit(const Session &session)
 {
@@ -40,27 +36,15 @@ CapabilityPanel::CapabilityPanel(Session &session, InspectorForm &form, QObject 
     , m_session(session)
 {
     form.addSection(tr("Least U of the laboratory (CMC)"));
-    buildList(form);
+    m_list = new EntryList(form, "capability", tr("Entries of the CMC"), this);
     buildFields(form);
-    m_add = addButton(form, tr("Add this entry"), "capabilityAdd");
-    m_replace = addButton(form, tr("Replace the selected entry"), "capabilityReplace");
-    m_remove = addButton(form, tr("Remove the selected entry"), "capabilityRemove");
-    connect(m_add, &QPushButton::clicked, this, &CapabilityPanel::add);
-    connect(m_replace, &QPushButton::clicked, this, &CapabilityPanel::replace);
-    connect(m_remove, &QPushButton::clicked, this, &CapabilityPanel::remove);
+    m_list->addButtons(form);
+    connect(m_list, &EntryList::selected, this, &CapabilityPanel::showEntry);
+    connect(m_list, &EntryList::addAsked, this, &CapabilityPanel::add);
+    connect(m_list, &EntryList::replaceAsked, this, &CapabilityPanel::replace);
+    connect(m_list, &EntryList::removeAsked, this, &CapabilityPanel::remove);
     form.follow([this](const Recipe &recipe) { showRecipe(recipe); });
     useUnit();
-}
-
-void CapabilityPanel::buildList(InspectorForm &form)
-{
-    m_list = new QListWidget;
-    m_list->setObjectName("capabilityList");
-    m_list->setAccessibleName(tr("Entries of the CMC"));
-    m_list->setMaximumHeight(kListHeight_px);
-    m_list->setWordWrap(true);
-    form.addWide(m_list);
-    connect(m_list, &QListWidget::currentRowChanged, this, &CapabilityPanel::showEntry);
 }
 
 void CapabilityPanel::buildFields(InspectorForm &form)
@@ -95,34 +79,24 @@ void CapabilityPanel::buildFields(InspectorForm &form)
         [this](const std::optional<double> &f_Hz) { m_typed.to_Hz = f_Hz; });
 }
 
-QPushButton *CapabilityPanel::addButton(InspectorForm &form, const QString &text, const char *name)
+int CapabilityPanel::row() const
 {
-    auto *button = new WrappedButton(text);
-    button->setObjectName(name);
-    form.addWide(button);
-    return button;
-}
-
-int CapabilityPanel::selectedRow() const
-{
-    return m_list->currentRow();
+    return m_list->row();
 }
 
 void CapabilityPanel::showRecipe(const Recipe &recipe)
 {
-    const QSignalBlocker quiet(m_list);
-    const int row = m_list->currentRow();
-    m_list->clear();
+    QStringList entries;
     for (const CapabilityEntry &entry : recipe.uncertainty.cmc)
-        m_list->addItem(capabilityText(entry, sensitivityUnit(m_session)));
-    m_list->setCurrentRow(std::min(row, m_list->count() - 1));
+        entries.append(capabilityText(entry, sensitivityUnit(m_session)));
+    m_list->show(entries);
     useUnit();
 }
 
 void CapabilityPanel::showEntry()
 {
     const auto &cmc = m_session.recipe().uncertainty.cmc;
-    if (selectedRow() < 0 || selected() >= cmc.size())
+    if (row() < 0 || selected() >= cmc.size())
         return;
     m_typed = cmc[selected()];
     m_of->setCurrentIndex(m_of->findData(rawText(m_typed.of)));
@@ -147,10 +121,7 @@ void CapabilityPanel::useUnit()
 
 void CapabilityPanel::allowWhatIsComplete()
 {
-    const bool isSelected = selectedRow() >= 0;
-    m_add->setEnabled(m_typed.expanded > 0.0);
-    m_replace->setEnabled(isSelected && m_typed.expanded > 0.0);
-    m_remove->setEnabled(isSelected);
+    m_list->allow(m_typed.expanded > 0.0);
 }
 
 /// A band that the quantity has not is left out.
@@ -172,20 +143,21 @@ bool CapabilityPanel::change(QWidget *field, const QString &label,
 
 void CapabilityPanel::add()
 {
-    if (change(m_add, tr("Add an entry of the CMC"), [this](auto &cmc) { cmc.push_back(typed()); }))
-        m_list->setCurrentRow(m_list->count() - 1);
+    if (change(m_list->addingButton(), tr("Add an entry of the CMC"),
+            [this](auto &cmc) { cmc.push_back(typed()); }))
+        m_list->selectLast();
 }
 
 void CapabilityPanel::replace()
 {
-    change(m_replace, tr("Change an entry of the CMC"),
+    change(m_list->replacingButton(), tr("Change an entry of the CMC"),
         [this](auto &cmc) { cmc.at(selected()) = typed(); });
 }
 
 void CapabilityPanel::remove()
 {
-    change(m_remove, tr("Remove an entry of the CMC"),
-        [this](auto &cmc) { cmc.erase(cmc.begin() + selectedRow()); });
+    change(m_list->removingButton(), tr("Remove an entry of the CMC"),
+        [this](auto &cmc) { cmc.erase(cmc.begin() + row()); });
 }
 
 } // namespace dyncal

@@ -8,12 +8,10 @@
 #include <QObject>
 
 class QComboBox;
-class QLabel;
-class QListWidget;
-class QPushButton;
 
 namespace dyncal {
 
+class EntryList;
 class InspectorForm;
 class OptionalEdit;
 
@@ -27,9 +25,7 @@ public:
     CapabilityPanel(Session &session, InspectorForm &form, QObject *parent);
 
 private:
-    void buildList(InspectorForm &form);
     void buildFields(InspectorForm &form);
-    QPushButton *addButton(InspectorForm &form, const QString &text, const char *name);
     void showRecipe(const Recipe &recipe);
     void showEntry(); ///< the selected one in the fields
     void useUnit(); ///< that of the quantity and of how it is counted
@@ -40,19 +36,16 @@ private:
     bool change(QWidget *field, const QString &label,
         const std::function<void(std::vector<CapabilityEntry> &)> &edit);
     CapabilityEntry typed() const;
-    std::size_t selected() const { return static_cast<std::size_t>(selectedRow()); }
-    int selectedRow() const;
+    std::size_t selected() const { return static_cast<std::size_t>(row()); }
+    int row() const;
 
     Session &m_session;
-    QListWidget *m_list;
+    EntryList *m_list;
     QComboBox *m_of;
     QComboBox *m_counted;
     OptionalEdit *m_expanded;
     OptionalEdit *m_from;
     OptionalEdit *m_to;
-    QPushButton *m_add;
-    QPushButton *m_replace;
-    QPushButton *m_remove;
     CapabilityEntry m_typed; ///< as the fields have it
 };
 
