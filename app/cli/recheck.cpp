@@ -1,0 +1,157 @@
+// SPDX-FileCopyrightText: 2026 The Dyncal authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "app/base/interrupt.h"
+#include "app/cli/calibration.h"
+#include "app/cli/console.h"
+#include "app/cli/recheck_text.h"
+#include "app/cli/verbs.h"
+
+#include "core/recheck/recording_search.h"
+#include "core/results/results_json.h"
+#include "core/results/results_reading.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <iostream>
+#include <memory>
+#include <set>
+
+namespace dyncal {
+namespace {
+
+struct RecheckOptions
+{
+    std::vector<std::string> folders;
+    std::vector<std::string> recordings;
+    bool json = false;
+};
+
+bool isOfData(const Error &error)
+{
+    return error.kind != ErrorKind::Cancelled && error.kind != ErrorKind::Internal;
+}
+
+/// The results that this program makes, as it would write them; null where it was stopped by
+/// something else than the data.
+Result<nlohmann::json> resultsNow(const CaptureSet &set, const EarlierRun &run)
+{
+    const PipelineOutcome outcome = calibrate(set, run.recipe);
+    if (outcome.error && outcome.error->kind != ErrorKind::DataBlocked)
+        return tl::unexpected<Error>(*outcome.error);
+    const std::string created = textAt(run.results, "created_utc");
+    return nlohmann::json::parse(resultsJson(outcome, run.recipe, created));
+}
+
+/// A recording whose bytes are the same and that is refused today is blocked, not unreadable.
+std::string refusalOf(const Error &error)
+{
+    const std::string id = error.findingId.empty() ? std::string() : error.findingId + ": ";
+    return id + english(error.message);
+}
+
+Result<RecheckedRun> recheckFolder(const std::string &folder, RecordingSearch &search)
+{
+    const Result<EarlierRun> run = readEarlierRun(folder);
+    if (!run)
+        return tl::unexpected<Error>(run.error());
+    const auto paths = search.find(*run, {interruptToken(), {}});
+    if (!paths)
+        return tl::unexpected<Error>(paths.error());
+    const Result<CaptureSet> set = readForCalibration(*paths, run->recipe);
+    if (!set && isOfData(set.error()))
+        return recheckedRun(*run, {}, refusalOf(set.error()));
+    if (!set)
+        return tl::unexpected<Error>(set.error());
+    return resultsNow(*set, *run).map([&](const nlohmann::json &now) {
+        return recheckedRun(*run, now);
+    });
+}
+
+/// What is given and is no folder of results has its answer already.
+struct FoldersToRecheck
+{
+    std::vector<std::string> folders; ///< each once
+    std::vector<RecheckAnswer> refused;
+};
+
+FoldersToRecheck foldersToRecheck(const std::vector<std::string> &given)
+{
+    FoldersToRecheck all;
+    std::set<std::filesystem::path> known;
+    std::error_code unknown;
+    for (const std::string &folder : given) {
+        const auto found = runFoldersBelow(folder);
+        if (!found)
+            all.refused.push_back({folder, tl::unexpected<Error>(found.error())});
+        for (const std::string &one : found ? *found : std::vector<std::string>())
+            if (known.insert(std::filesystem::weakly_canonical(one, unknown)).second)
+                all.folders.push_back(one);
+    }
+    return all;
+}
+
+void tellUnreadable(const Error &error)
+{
+    report(error);
+    for (const Error &further : error.further)
+        report(further);
+}
+
+ExitCode exitCodeOf(const std::vector<RecheckAnswer> &answers)
+{
+    const bool isUnread
+        = std::ranges::any_of(answers, [](const auto &answer) { return !answer.run; });
+    const bool isOver = std::ranges::any_of(
+        answers, [](const auto &answer) { return answer.run && answer.run->hasDifferences(); });
+    return isUnread ? ExitCode::FileUnreadable
+        : isOver    ? ExitCode::DoneWithCautions
+                    : ExitCode::Done;
+}
+
+int concludeRecheck(const std::vector<RecheckAnswer> &answers, bool json)
+{
+    std::cout << (json ? recheckJson(answers) : recheckText(answers));
+    for (const RecheckAnswer &answer : answers)
+        if (!answer.run)
+            tellUnreadable(answer.run.error());
+    return static_cast<int>(exitCodeOf(answers));
+}
+
+int recheck(const RecheckOptions &options)
+{
+    Result<RecordingSearch> search = RecordingSearch::in(options.recordings);
+    if (!search)
+        return report(search.error());
+    auto [folders, answers] = foldersToRecheck(options.folders);
+    for (const std::string &folder : folders) {
+        answers.push_back({folder, recheckFolder(folder, *search)});
+        const auto &run = answers.back().run;
+        if (!run && !isOfData(run.error()))
+            return report(run.error());
+    }
+    return concludeRecheck(answers, options.json);
+}
+
+} // namespace
+
+void addRecheck(CLI::App &program, VerbAction &action)
+{
+    const auto options = std::make_shared<RecheckOptions>();
+    CLI::App *verb = program.add_subcommand(
+        "recheck", "Compute earlier results again and list what differs by more than its U");
+    verb->add_option("folders", options->folders, "Folders of dyncal run, or above such")
+        ->required()
+        ->type_name("FOLDER");
+    verb->add_option("--recordings", options->recordings,
+            "Where the recordings are, by content; without it beside the results")
+        ->type_name("DIR");
+    verb->add_flag("--json", options->json, "As JSON");
+    verb->footer(
+        "Exit codes: 0 no difference over U, 1 some, 3 a folder or recording cannot be read.\n\n"
+        "Example:\n  dyncal recheck out\n"
+        "  dyncal recheck results/2025 results/2026 --recordings archive --json");
+    verb->callback([options, &action] { action = [options] { return recheck(*options); }; });
+}
+
+} // namespace dyncal
