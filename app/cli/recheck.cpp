@@ -7,6 +7,7 @@
 #include "app/cli/recheck_text.h"
 #include "app/cli/verbs.h"
 
+#include "core/recheck/named_recordings.h"
 #include "core/recheck/recording_search.h"
 #include "core/results/results_json.h"
 #include "core/results/results_reading.h"
@@ -32,8 +33,7 @@ bool isOfData(const Error &error)
     return error.kind != ErrorKind::Cancelled && error.kind != ErrorKind::Internal;
 }
 
-/// The results that this program makes, as it would write them; null where it was stopped by
-/// something else than the data.
+/// The results that this program makes, as it would write them.
 Result<nlohmann::json> resultsNow(const CaptureSet &set, const EarlierRun &run)
 {
     const PipelineOutcome outcome = calibrate(set, run.recipe);
@@ -43,11 +43,47 @@ Result<nlohmann::json> resultsNow(const CaptureSet &set, const EarlierRun &run)
     return nlohmann::json::parse(resultsJson(outcome, run.recipe, created));
 }
 
-/// A recording whose bytes are the same and that is refused today is blocked, not unreadable.
-std::string refusalOf(const Error &error)
+/// Whether a reader has refused what a file of the same bytes holds: that is no file that cannot be
+/// read, but one that allows no result today.
+bool isRefusal(const Error &error)
+{
+    return isOfData(error) && error.findingId != "CAP-018" && error.findingId != "CAP-015";
+}
+
+std::string refusalText(const Error &error)
 {
     const std::string id = error.findingId.empty() ? std::string() : error.findingId + ": ";
     return id + english(error.message);
+}
+
+/// A file that changed since it was found is none of the run's.
+Result<CaptureSet> recordingsOf(const EarlierRun &run, const NamedRecordings &recordings)
+{
+    Result<CaptureSet> set = readForCalibration(recordings.paths(), run.recipe);
+    const auto isTheSame = [](const InputFile &read, const RecordedInput &needed) {
+        return read.sha256 == needed.sha256;
+    };
+    if (!set || std::ranges::equal(set->inputs, run.inputs, isTheSame))
+        return set;
+    return fail(ErrorKind::FileUnreadable,
+        {DYNCAL_TEXT("core",
+             "The recordings of the results in %1 changed while they were read; repeat it when nothing writes to them."),
+            {run.folder}},
+        "CAP-015");
+}
+
+Result<RecheckedRun> recheckRun(const EarlierRun &run, const std::vector<std::string> &paths)
+{
+    const Result<NamedRecordings> recordings = NamedRecordings::of(run.inputs, paths);
+    if (!recordings)
+        return tl::unexpected<Error>(recordings.error());
+    const Result<CaptureSet> set = recordingsOf(run, *recordings);
+    if (!set && isRefusal(set.error()))
+        return recheckedRun(run, {}, refusalText(set.error()));
+    if (!set)
+        return tl::unexpected<Error>(set.error());
+    return resultsNow(*set, run).map(
+        [&](const nlohmann::json &now) { return recheckedRun(run, now); });
 }
 
 Result<RecheckedRun> recheckFolder(const std::string &folder, RecordingSearch &search)
@@ -56,16 +92,7 @@ Result<RecheckedRun> recheckFolder(const std::string &folder, RecordingSearch &s
     if (!run)
         return tl::unexpected<Error>(run.error());
     const auto paths = search.find(*run, {interruptToken(), {}});
-    if (!paths)
-        return tl::unexpected<Error>(paths.error());
-    const Result<CaptureSet> set = readForCalibration(*paths, run->recipe);
-    if (!set && isOfData(set.error()))
-        return recheckedRun(*run, {}, refusalOf(set.error()));
-    if (!set)
-        return tl::unexpected<Error>(set.error());
-    return resultsNow(*set, *run).map([&](const nlohmann::json &now) {
-        return recheckedRun(*run, now);
-    });
+    return paths ? recheckRun(*run, *paths) : tl::unexpected<Error>(paths.error());
 }
 
 /// What is given and is no folder of results has its answer already.

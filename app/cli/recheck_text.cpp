@@ -98,13 +98,19 @@ std::string verdictOf(const RecheckedRun &run)
     return count == 0 ? "none" : std::to_string(count) + " over U or withdrawn";
 }
 
-std::string comparedText(const RecheckedRun &run)
+bool isAllAsIssued(const QuantityDifferences &quantities)
 {
-    const double largest = run.quantities.largestWithinU();
-    std::string text = std::to_string(run.quantities.compared()) + " quantities, the largest "
-        + "difference within U is " + numberText(largest, kDigitsOfRatio) + " U";
-    if (run.quantities.withoutU > 0)
-        text += "; " + std::to_string(run.quantities.withoutU)
+    return std::ranges::none_of(quantities.list, [](const auto &one) { return one.overU > 0.0; });
+}
+
+std::string comparedText(const QuantityDifferences &quantities)
+{
+    std::string text = std::to_string(quantities.compared()) + " quantities with U, "
+        + (isAllAsIssued(quantities) ? "all exactly as issued"
+                                     : "the largest difference within U is "
+                    + numberText(quantities.largestWithinU(), kDigitsOfRatio) + " U");
+    if (quantities.withoutU > 0)
+        text += "; " + std::to_string(quantities.withoutU)
             + " stated without an uncertainty, not compared";
     return text;
 }
@@ -128,7 +134,7 @@ std::string runText(const std::string &folder, const RecheckedRun &run)
     std::string text = presentable(folder) + ": " + verdictOf(run) + '\n';
     addPoint(text, "made", run.createdUtc + " by dyncal " + run.software);
     addPoint(text, "methods", run.methods.empty() ? "as now" : methodChangesText(run));
-    addPoint(text, "compared", comparedText(run));
+    addPoint(text, "compared", comparedText(run.quantities));
     if (!run.blockedThen.empty())
         addPoint(text, "blocked",
             run.blockedThen + (run.blockedNow.empty() ? " (then; not now)" : " (then and now)"));

@@ -15,13 +15,20 @@ double changeOf(const QuantityPair &pair)
     return pair.isAngle ? std::remainder(change, kTwoPi) : change;
 }
 
-/// With U = k u as issued.
+bool hasU(const QuantityPair &pair)
+{
+    return pair.u > 0.0 && std::isfinite(pair.u);
+}
+
+/// With U = k u as issued, where there is one.
 QuantityDifference ofStated(const QuantityPair &pair)
 {
     QuantityDifference difference{pair};
-    difference.isKAssumed = !(pair.k > 0.0 && std::isfinite(pair.k));
-    difference.k = difference.isKAssumed ? kAssumedCoverage : pair.k;
-    difference.U = difference.k * pair.u;
+    if (hasU(pair)) {
+        difference.isKAssumed = !(pair.k > 0.0 && std::isfinite(pair.k));
+        difference.k = difference.isKAssumed ? kAssumedCoverage : pair.k;
+        difference.U = difference.k * pair.u;
+    }
     if (std::isfinite(pair.now))
         difference.overU = std::abs(changeOf(pair)) / difference.U;
     else
@@ -35,11 +42,11 @@ QuantityDifference differenceOf(const QuantityPair &pair)
                                       : QuantityDifference{pair, QuantityFate::StatedNow};
 }
 
-/// Whether there is anything to compare: then a value with u, or now a value for the first time.
+/// Two values need a U to be compared; one that is gone or new needs none to be told.
 bool isComparable(const QuantityPair &pair)
 {
-    return std::isfinite(pair.issued) ? pair.u > 0.0 && std::isfinite(pair.u)
-                                      : std::isfinite(pair.now);
+    const bool wasStated = std::isfinite(pair.issued), isStated = std::isfinite(pair.now);
+    return wasStated && isStated ? hasU(pair) : wasStated != isStated;
 }
 
 bool isWorse(const QuantityDifference &a, const QuantityDifference &b)

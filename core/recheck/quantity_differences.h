@@ -11,7 +11,7 @@ namespace dyncal {
 
 /// What became of a stated quantity.
 enum class QuantityFate {
-    Withdrawn, ///< stated with U then, not determined now
+    Withdrawn, ///< stated then, with U or without, not determined now
     Compared,
     StatedNow, ///< not determined then
 };

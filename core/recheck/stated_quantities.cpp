@@ -34,6 +34,9 @@ constexpr std::array<QuantityKeys, 5> kOfShock{
         {"p2_pa", "u_p2_pa", "", "Pa"}, {"p5_pa", "u_p5_pa", "", "Pa"},
         {"step_pa", "u_step_pa", "step_k", "Pa"}}};
 
+constexpr std::array<QuantityKeys, 3> kOfBands{{{"within_5_percent_hz", "", "", "Hz"},
+    {"within_10_percent_hz", "", "", "Hz"}, {"minus_3_db_hz", "", "", "Hz"}}};
+
 /// Nothing where the earlier results have no such key: then they do not state the quantity.
 void addQuantity(Pairs &pairs, const std::string &of, const std::string &where, const Json &issued,
     const Json &now, const QuantityKeys &keys)
@@ -175,6 +178,13 @@ const Json &nearestPole(const Json &poles, double f_Hz)
     return *nearest;
 }
 
+/// Of results without characteristics; they had no u then.
+void addBands(Pairs &pairs, const Json &issued, const Json &now)
+{
+    for (const QuantityKeys &keys : kOfBands)
+        addQuantity(pairs, std::string("bands.") + keys.value, {}, issued, now, keys);
+}
+
 /// What results without characteristics have instead; their u is that of the noise.
 void addPoles(Pairs &pairs, const Json &issued, const Json &now)
 {
@@ -200,17 +210,20 @@ void addPoles(Pairs &pairs, const Json &issued, const Json &now)
 std::vector<QuantityPair> statedQuantities(const Json &issued, const Json &now)
 {
     Pairs pairs;
-    if (valueAt(issued, "characteristics").is_array())
-        addCharacteristics(
-            pairs, valueAt(issued, "characteristics"), valueAt(now, "characteristics"));
-    else
+    const auto both
+        = [&](const char *key, auto add) { add(pairs, valueAt(issued, key), valueAt(now, key)); };
+    if (valueAt(issued, "characteristics").is_array()) {
+        both("characteristics", addCharacteristics);
+    } else {
         addPoles(pairs, valueAt(valueAt(issued, "model"), "poles"),
             valueAt(valueAt(now, "model"), "poles"));
-    addSensitivities(pairs, valueAt(issued, "sensitivity"), valueAt(now, "sensitivity"));
-    addShots(pairs, valueAt(issued, "shots"), valueAt(now, "shots"));
-    addShocks(pairs, valueAt(issued, "shock"), valueAt(now, "shock"));
-    addRows(pairs, "response", valueAt(issued, "response"), valueAt(now, "response"));
-    addRows(pairs, "comparison", valueAt(issued, "comparison"), valueAt(now, "comparison"));
+        both("bands", addBands);
+    }
+    both("sensitivity", addSensitivities);
+    both("shots", addShots);
+    both("shock", addShocks);
+    for (const char *of : {"response", "comparison"})
+        addRows(pairs, of, valueAt(issued, of), valueAt(now, of));
     return pairs;
 }
 

@@ -104,6 +104,13 @@ private slots:
         QVERIFY(std::isnan(fresh.U) && std::isnan(fresh.overU));
     }
 
+    void valueWithoutU_thatIsGone_isTold()
+    {
+        const QuantityDifference gone = only(quantity("a", 1.0, kUnknown, 2.0, kUnknown));
+        QVERIFY(gone.fate == QuantityFate::Withdrawn);
+        QVERIFY(std::isnan(gone.U) && std::isnan(gone.k) && !gone.isKAssumed);
+    }
+
     void whatCannotBeCompared_isCounted()
     {
         const QuantityDifferences found

@@ -193,6 +193,22 @@ private slots:
         QVERIFY(!pairOf(pairs, "sensitivity").isOfNoiseAlone);
     }
 
+    void olderResults_haveBandsWithoutU()
+    {
+        EarlierJson issued = olderResults();
+        issued["bands"] = {{"within_5_percent_hz", 70e3}, {"minus_3_db_hz", nullptr}};
+        EarlierJson now = earlierResults();
+        now["bands"] = {{"within_5_percent_hz", 71e3}, {"minus_3_db_hz", 500e3}};
+        const PairList pairs = quantitiesOf(issued, now);
+        const QuantityPair edge = pairOf(pairs, "bands.within_5_percent_hz");
+        QVERIFY(edge.issued == 70e3 && edge.now == 71e3 && std::isnan(edge.u));
+        QVERIFY(std::isnan(pairOf(pairs, "bands.minus_3_db_hz").issued));
+        QVERIFY(pairOf(pairs, "bands.within_10_percent_hz").of.empty());
+        issued = earlierResults(); // where the characteristics state them with u
+        issued["bands"] = now["bands"];
+        QVERIFY(pairOf(quantitiesOf(issued, now), "bands.within_5_percent_hz").of.empty());
+    }
+
     void pureRatio_hasACompleteUWithoutTheStep()
     {
         EarlierJson issued = earlierResults();
