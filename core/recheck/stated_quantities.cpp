@@ -67,13 +67,22 @@ std::string ofShot(const Json &entry)
     return "shot " + numberText(numberAt(entry, "shot"));
 }
 
+void addCharacteristic(Pairs &pairs, const Json &entry, const Json &issued, const Json &now)
+{
+    const std::string unit = textAt(entry, "unit");
+    addQuantity(
+        pairs, textAt(entry, "quantity"), {}, issued, now, {"value", "u", "k", unit.c_str()});
+}
+
+/// A list of what could be determined: one that is in the later one alone was not, then.
 void addCharacteristics(Pairs &pairs, const Json &issued, const Json &now)
 {
-    for (const Json &one : issued) {
-        const std::string unit = textAt(one, "unit");
-        addQuantity(pairs, textAt(one, "quantity"), {}, one, sameEntry(now, one, "quantity"),
-            {"value", "u", "k", unit.c_str()});
-    }
+    const Json undetermined{{"value", nullptr}};
+    for (const Json &one : issued)
+        addCharacteristic(pairs, one, one, sameEntry(now, one, "quantity"));
+    for (const Json &one : now)
+        if (one.is_object() && sameEntry(issued, one, "quantity").is_null())
+            addCharacteristic(pairs, one, undetermined, one);
 }
 
 void addLevels(Pairs &pairs, const Json &issued, const Json &now, const std::string &unit)

@@ -153,12 +153,21 @@ private slots:
     {
         EarlierJson issued = earlierResults();
         issued["sensitivity"].erase("linearity_per_pa");
-        issued["characteristics"].erase(0);
         issued.erase("shock");
         const PairList pairs = quantitiesOf(issued, earlierResults());
         QVERIFY(pairOf(pairs, "sensitivity.linearity_per_pa").of.empty());
-        QVERIFY(pairOf(pairs, "f0_hz").of.empty());
         QVERIFY(pairOf(pairs, "shock[0].step_pa").of.empty());
+    }
+
+    /// Characteristics are a list of what could be determined.
+    void characteristicThatIsNew_wasNotDeterminedThen()
+    {
+        EarlierJson issued = earlierResults();
+        issued["characteristics"].erase(0);
+        const QuantityPair f0 = pairOf(quantitiesOf(issued, earlierResults()), "f0_hz");
+        QVERIFY(std::isnan(f0.issued) && std::isnan(f0.u));
+        QCOMPARE(f0.now, 318e3);
+        QCOMPARE(f0.unit, std::string("Hz"));
     }
 
     void nullThen_hasAPair()
@@ -235,7 +244,7 @@ private slots:
             pairs, [](const QuantityPair &pair) { return std::isnan(pair.now); }));
     }
 
-    void oddForms_giveNoPairAndNoCrash_data()
+    void oddForms_stateNothing_data()
     {
         QTest::addColumn<QByteArray>("json");
         for (const char *json : {"[]", "{}", "7", R"({"characteristics": 3, "shots": {}})",
@@ -246,11 +255,12 @@ private slots:
                  R"({"model": {"poles": [[], 1, {"class": "sensor", "frequency_hz": 0}]}})"})
             QTest::newRow(json) << QByteArray(json);
     }
-    void oddForms_giveNoPairAndNoCrash()
+    void oddForms_stateNothing()
     {
         QFETCH(QByteArray, json);
         const EarlierJson odd = EarlierJson::parse(json.toStdString());
-        QVERIFY(quantitiesOf(odd, earlierResults()).empty());
+        for (const QuantityPair &pair : quantitiesOf(odd, earlierResults()))
+            QVERIFY2(std::isnan(pair.issued), pair.of.c_str());
         const PairList pairs = quantitiesOf(earlierResults(), odd);
         QVERIFY(std::ranges::all_of(
             pairs, [](const QuantityPair &pair) { return std::isnan(pair.now); }));
