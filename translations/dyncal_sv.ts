@@ -7622,6 +7622,14 @@ steget</translation>
         <source>%1 was written by a later version: its schema is &quot;%2&quot;, and this one reads &quot;%3&quot;; use that version of Dyncal.</source>
         <translation>%1 skrevs av en senare version: dess schema är &quot;%2&quot;, och denna läser &quot;%3&quot;; använd den versionen av Dyncal.</translation>
     </message>
+    <message>
+        <source>The run in %1 cannot be computed again: %2</source>
+        <translation>Körningen i %1 kan inte räknas om: %2</translation>
+    </message>
+    <message>
+        <source>The file %1 (SHA-256 %2) that the recipe of the results in %3 names is not there as it was, and no copy of it is in sources/; put it where the recipe says, seen from that folder.</source>
+        <translation>Filen %1 (SHA-256 %2) som receptet till resultaten i %3 nämner finns inte där som den var, och ingen kopia av den finns i sources/; lägg den där receptet säger, sett från den mappen.</translation>
+    </message>
 </context>
 <context>
     <name>dyncal::ArrivalPanel</name>

@@ -33,12 +33,23 @@ bool isOfData(const Error &error)
     return error.kind != ErrorKind::Cancelled && error.kind != ErrorKind::Internal;
 }
 
+/// The error with the run that it concerns.
+tl::unexpected<Error> notComputed(const EarlierRun &run, const Error &error)
+{
+    if (!isOfData(error))
+        return tl::unexpected<Error>(error);
+    return fail(error.kind,
+        {DYNCAL_TEXT("core", "The run in %1 cannot be computed again: %2"),
+            {run.folder, english(error.message)}},
+        error.findingId);
+}
+
 /// The results that this program makes, as it would write them.
 Result<nlohmann::json> resultsNow(const CaptureSet &set, const EarlierRun &run)
 {
     const PipelineOutcome outcome = calibrate(set, run.recipe);
     if (outcome.error && outcome.error->kind != ErrorKind::DataBlocked)
-        return tl::unexpected<Error>(*outcome.error);
+        return notComputed(run, *outcome.error);
     const std::string created = textAt(run.results, "created_utc");
     return nlohmann::json::parse(resultsJson(outcome, run.recipe, created));
 }

@@ -78,7 +78,8 @@ void collectMissing(const RunJson &whole, const RunJson &stated, const std::stri
     std::vector<std::string> &missing)
 {
     for (const auto &[key, value] : whole.items()) {
-        const std::string here = path.empty() ? key : path + '.' + key;
+        std::string here = path;
+        here.append(path.empty() ? "" : ".").append(key);
         if (!stated.contains(key))
             missing.push_back(here);
         else if (value.is_object() && stated[key].is_object())
@@ -106,6 +107,37 @@ std::vector<Message> ofNewerKeys(const Recipe &recipe, const RunJson &stated)
         {std::to_string(missing.size()), firstOf(missing)}}};
 }
 
+tl::unexpected<Error> withoutTable(
+    const std::string &folder, const std::string &source, const std::string &sha256)
+{
+    return fail(ErrorKind::FileUnreadable,
+        {DYNCAL_TEXT("core",
+             "The file %1 (SHA-256 %2) that the recipe of the results in %3 names is not there as it was, and no copy of it is in sources/; put it where the recipe says, seen from that folder."),
+            {source, sha256, folder}});
+}
+
+/// The file that a section names: the copy that the run kept, else the one where the recipe says;
+/// only that of the stated hash is the run's.
+template <typename Settings>
+Result<void> loadOfRun(const std::string &folder, Settings &settings)
+{
+    if (settings.source.empty())
+        return {};
+    settings.loaded = sourceAt(folder, keptSourceName(settings.source, settings.sha256));
+    if (!settings.loaded || settings.loaded->sha256 != settings.sha256)
+        loadSource(folder, settings);
+    if (!settings.loaded || settings.loaded->sha256 != settings.sha256)
+        return withoutTable(folder, settings.source, settings.sha256);
+    return {};
+}
+
+Result<void> loadTables(const std::string &folder, Recipe &recipe)
+{
+    return loadOfRun(folder, recipe.chain).and_then([&]() -> Result<void> {
+        return recipe.comparison.enabled ? loadOfRun(folder, recipe.comparison) : Result<void>();
+    });
+}
+
 /// The recipe of the results, with the tables it names.
 Result<Recipe> recipeOfRun(const std::string &folder, const RunJson &stated)
 {
@@ -114,8 +146,8 @@ Result<Recipe> recipeOfRun(const std::string &folder, const RunJson &stated)
         return fail(ErrorKind::Usage,
             {DYNCAL_TEXT("core", "The recipe that %1 holds cannot be used: %2"),
                 {pathIn(folder, kResultsFile), english(recipe.error().message)}});
-    loadSource(folder, recipe->comparison);
-    loadSource(folder, recipe->chain);
+    if (const Result<void> loaded = loadTables(folder, *recipe); !loaded)
+        return tl::unexpected<Error>(loaded.error());
     return recipe;
 }
 

@@ -37,11 +37,12 @@ inline constexpr const char *kResultsFile = "results.json";
 Result<std::vector<std::string>> runFoldersBelow(const std::string &folder);
 
 /// Reads the folder of a run. The recipe is the one that results.json holds, so that a missing or
-/// other recipe.json changes nothing; tables that it names are read from where it says, seen from
-/// the folder, else from the copy that the run kept. Remarks: a results.json that is not the one
-/// that written.json lists, a recipe.json that says something else, keys that the recipe lacks,
-/// because they are newer. Fails (FileUnreadable) where results.json cannot be read; (Usage) as
-/// parseResults() and parseRecipe() do, and where no recording is named with its hash.
+/// other recipe.json changes nothing; files that it names are the copies that the run kept, else
+/// those where it says, seen from the folder, with the hash that it states. Remarks: a results.json
+/// that is not the one that written.json lists, a recipe.json that says something else, keys that
+/// the recipe lacks, because they are newer. Fails (FileUnreadable) where results.json or such a
+/// file is not there; (Usage) as parseResults() and parseRecipe() do, and where no recording is
+/// named with its hash.
 Result<EarlierRun> readEarlierRun(const std::string &folder);
 
 } // namespace dyncal

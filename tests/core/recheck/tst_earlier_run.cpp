@@ -108,23 +108,38 @@ private slots:
         QVERIFY(remarksOf(putResults(scratch, "out", root)).find(", ....") != std::string::npos);
     }
 
-    void tableOfTheRecipe_isReadFromTheKeptCopy()
+    void tableOfTheRecipe_isTheOneOfItsHash()
     {
         const ScratchFolder scratch;
         const std::string table = "frequency_hz,magnitude\n1000,1\n2000,1\n";
+        const std::string hash = sha256Hex(std::string_view(table));
         EarlierJson root = wholeResults();
         root["recipe"]["chain"]["source"] = "../elsewhere/amp.csv";
-        root["recipe"]["chain"]["sha256"] = sha256Hex(std::string_view(table));
+        root["recipe"]["chain"]["sha256"] = hash;
         const std::string folder = putResults(scratch, "out", root);
-        auto run = readEarlierRun(folder);
-        QVERIFY2(run.has_value(), run ? "" : english(run.error().message).c_str());
-        QVERIFY(!run->recipe.chain.loaded);
-        const std::string name
-            = "sources/" + sha256Hex(std::string_view(table)).substr(0, 16) + "-amp.csv";
-        put(scratch, "out/" + name, table);
-        run = readEarlierRun(folder);
-        QVERIFY(run && run->recipe.chain.loaded);
-        QCOMPARE(run->recipe.chain.loaded->content, table);
+        const auto loaded = [&] {
+            const auto run = readEarlierRun(folder);
+            return run && run->recipe.chain.loaded && run->recipe.chain.loaded->content == table;
+        };
+        QVERIFY(saysOf(folder, "The file ../elsewhere/amp.csv (SHA-256 "));
+        put(scratch, "elsewhere/amp.csv", "another table");
+        QVERIFY(saysOf(folder, "is not there as it was"));
+        put(scratch, "out/" + keptSourceName("amp.csv", hash), table);
+        QVERIFY(loaded()); // beside the other one
+        put(scratch, "out/" + keptSourceName("amp.csv", hash), "a changed copy");
+        QVERIFY(saysOf(folder, "is not there as it was"));
+        put(scratch, "elsewhere/amp.csv", table);
+        QVERIFY(loaded());
+    }
+
+    void referenceThatIsNotUsed_isNotNeeded()
+    {
+        const ScratchFolder scratch;
+        EarlierJson root = wholeResults();
+        root["recipe"]["comparison"]["source"] = "reference.csv";
+        QVERIFY(readEarlierRun(putResults(scratch, "out", root)).has_value());
+        root["recipe"]["comparison"]["enabled"] = true;
+        QVERIFY(saysOf(putResults(scratch, "out", root), "The file reference.csv"));
     }
 
     void damaged_isSaidInOneSentence_data()
