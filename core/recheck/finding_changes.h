@@ -30,7 +30,8 @@ struct FindingChanges
     std::vector<StatedFinding> gone;
 };
 
-/// Findings are the same where id, severity and shot are.
+/// Findings are the same where id, severity and shot are. CAP-024 is of the folder that was given
+/// then and not of its recordings, so that it says nothing here.
 FindingChanges findingChanges(const nlohmann::json &issued, const nlohmann::json &now);
 
 /// Why the run of these results allowed none to be issued: the error that stopped it, else its

@@ -302,6 +302,7 @@ void TestRecheck::treeOfABatch_isTakenWhole()
     for (int i : {1, 2}) {
         QVERIFY(QDir().mkpath(lab.path(QString("in/SN-%1").arg(i))));
         QVERIFY(simulateShortCapture(lab.path(QString("in/SN-%1/shot.h5").arg(i)), i));
+        QVERIFY(writeBytes(lab.path(QString("in/SN-%1/notes.txt").arg(i)), "left out of it"));
     }
     QCOMPARE(
         runDyncal({"batch", "plan", lab.path("in"), "-o", lab.path("night.jsonl")}).exitCode, 0);
@@ -311,6 +312,7 @@ void TestRecheck::treeOfABatch_isTakenWhole()
     for (int i : {1, 2})
         QVERIFY(answer.out.contains(
             (lab.path(QString("night.out/SN-%1/calibration: none").arg(i))).toUtf8()));
+    QCOMPARE(rowsOf({lab.path("night.out"), "--recordings", lab.path("in")}), QJsonArray());
     QCOMPARE(recheck({lab.path("night.out")}).exitCode, 3); // they do not lie beside
 }
 

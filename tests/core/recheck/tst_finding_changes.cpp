@@ -53,6 +53,14 @@ private slots:
         QVERIFY(changes.appeared.empty() && changes.gone.empty());
     }
 
+    /// The recordings are given one by one now, whatever lay beside them then.
+    void fileLeftOutOfAFolder_isNoChange()
+    {
+        const FindingChanges changes
+            = findingChanges(resultsWith({finding("CAP-024", "info")}), resultsWith({}));
+        QVERIFY(changes.appeared.empty() && changes.gone.empty());
+    }
+
     void whatAppearsAndGoes_isListedInItsOrder()
     {
         const FindingChanges changes = findingChanges(
