@@ -29,6 +29,13 @@ void dropFate(QuantityDifferences &differences, QuantityFate fate)
     std::erase_if(differences.list, [fate](const auto &one) { return one.fate == fate; });
 }
 
+/// What a run that is blocked no longer says is gone with it, and no news of its own.
+void forgetWhatStopped(RecheckedRun &run)
+{
+    dropFate(run.quantities, QuantityFate::Withdrawn);
+    run.findings.gone.clear();
+}
+
 RecheckKind kindOf(const QuantityDifference &difference)
 {
     switch (difference.fate) {
@@ -162,7 +169,7 @@ RecheckedRun recheckedRun(
         quantityDifferences(statedQuantities(run.results, now)), findingChanges(run.results, now),
         run.remarks};
     if (!rechecked.blockedNow.empty())
-        dropFate(rechecked.quantities, QuantityFate::Withdrawn);
+        forgetWhatStopped(rechecked);
     if (!rechecked.blockedThen.empty())
         dropFate(rechecked.quantities, QuantityFate::StatedNow);
     if (!refusal.empty())

@@ -166,7 +166,9 @@ private slots:
     void nowBlocked_isOneRow_notAHundred()
     {
         EarlierJson now{{"error", {{"message", "No step."}, {"finding", "WIN-002"}}}};
-        const auto answer = answerOf("out", earlierResults(), now);
+        EarlierJson issued = earlierResults();
+        issued["findings"].push_back({{"id", "A-1"}, {"severity", "info"}, {"message", "x"}});
+        const auto answer = answerOf("out", issued, now);
         QVERIFY(answer.run->hasDifferences() && answer.run->needsAmendment());
         const EarlierJson list = jsonOf({answer});
         QCOMPARE(list.size(), std::size_t(1));
