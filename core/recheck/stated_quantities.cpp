@@ -166,6 +166,13 @@ void addRows(Pairs &pairs, const std::string &of, const Json &issued, const Json
         pairs[i].isAngle = true;
 }
 
+void addComparison(Pairs &pairs, const Json &issued, const Json &now)
+{
+    addRows(pairs, "comparison", issued, now);
+    addQuantity(pairs, "comparison.difference_relative", {}, issued, now,
+        {"difference_relative", "u_difference_relative", "", "1"});
+}
+
 bool isOfSensor(const Json &pole)
 {
     return textAt(pole, "class") == "sensor" && numberAt(pole, "im") >= 0.0
@@ -231,8 +238,8 @@ std::vector<QuantityPair> statedQuantities(const Json &issued, const Json &now)
     both("sensitivity", addSensitivities);
     both("shots", addShots);
     both("shock", addShocks);
-    for (const char *of : {"response", "comparison"})
-        addRows(pairs, of, valueAt(issued, of), valueAt(now, of));
+    addRows(pairs, "response", valueAt(issued, "response"), valueAt(now, "response"));
+    both("comparison", addComparison);
     return pairs;
 }
 

@@ -230,10 +230,13 @@ private slots:
     {
         EarlierJson issued = earlierResults();
         issued["comparison"] = issued["response"];
+        issued["comparison"]["difference_relative"] = 0.01;
+        issued["comparison"]["u_difference_relative"] = 0.004;
         EarlierJson now = issued;
         now["comparison"]["magnitude"][0] = 7e-6;
         QCOMPARE(pairOf(quantitiesOf(issued, now), "comparison.magnitude[0]").now, 7e-6);
         QCOMPARE(pairOf(quantitiesOf(issued, now), "response.magnitude[0]").now, 5e-6);
+        QCOMPARE(pairOf(quantitiesOf(issued, now), "comparison.difference_relative").u, 0.004);
     }
 
     void nothingNow_leavesEverythingStated()
