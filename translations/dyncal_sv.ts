@@ -7789,6 +7789,74 @@ steget</translation>
         <source>%1 of response.known cannot be compared with this calibration: %2. Correct it, or leave it out.</source>
         <translation>%1 i response.known kan inte jämföras med denna kalibrering: %2. Rätta det, eller utelämna det.</translation>
     </message>
+    <message>
+        <source>The recordings of the results in %1 changed while they were read; repeat it when nothing writes to them.</source>
+        <translation>Inspelningarna till resultaten i %1 ändrades medan de lästes; upprepa när inget skriver till dem.</translation>
+    </message>
+    <message>
+        <source>%1 cannot be read, or is larger than 256 MiB; check that it is the file of a run and that you may read it.</source>
+        <translation>%1 kan inte läsas eller är större än 256 MiB; kontrollera att det är en körnings fil och att du får läsa den.</translation>
+    </message>
+    <message>
+        <source>results.json is not the file that the run wrote (written.json lists another hash); what is compared is what it says now.</source>
+        <translation>results.json är inte den fil som körningen skrev (written.json anger en annan hash); det som jämförs är vad den säger nu.</translation>
+    </message>
+    <message>
+        <source>recipe.json is not the recipe that the results were made with; the one that results.json holds is used.</source>
+        <translation>recipe.json är inte det recept som resultaten gjordes med; det som finns i results.json används.</translation>
+    </message>
+    <message>
+        <source>The recipe is from before %1 of today&apos;s keys, for which the defaults count: %2.</source>
+        <translation>Receptet är äldre än %1 av dagens nycklar, för vilka standardvärdena gäller: %2.</translation>
+    </message>
+    <message>
+        <source>The recipe that %1 holds cannot be used: %2</source>
+        <translation>Receptet i %1 kan inte användas: %2</translation>
+    </message>
+    <message>
+        <source>%1 states no SHA-256 of its recording %2, so that cannot be known again; repeat the run from the recording.</source>
+        <translation>%1 anger ingen SHA-256 för sin inspelning %2, så den kan inte kännas igen; upprepa körningen från inspelningen.</translation>
+    </message>
+    <message>
+        <source>%1 names no recordings (inputs), so there is nothing to compute it again from.</source>
+        <translation>%1 nämner inga inspelningar (inputs), så det finns inget att räkna om den från.</translation>
+    </message>
+    <message>
+        <source>%1 is no folder; give the folder that dyncal run or dyncal batch wrote, or one above it.</source>
+        <translation>%1 är ingen mapp; ange mappen som dyncal run eller dyncal batch skrev, eller en ovanför.</translation>
+    </message>
+    <message>
+        <source>There is no results.json in %1 nor below it; give the folder that dyncal run or dyncal batch wrote, or one above it.</source>
+        <translation>Det finns ingen results.json i %1 eller under den; ange mappen som dyncal run eller dyncal batch skrev, eller en ovanför.</translation>
+    </message>
+    <message>
+        <source>The recording %1 is now called %2 and cannot be read under its old name, because the folder for temporary files cannot be written to (%3); give it its old name, or set TMPDIR.</source>
+        <translation>Inspelningen %1 heter nu %2 och kan inte läsas under sitt gamla namn, eftersom mappen för tillfälliga filer inte går att skriva till (%3); ge den dess gamla namn eller sätt TMPDIR.</translation>
+    </message>
+    <message>
+        <source>%1 is no folder of recordings; give one with --recordings, or leave it out.</source>
+        <translation>%1 är ingen mapp med inspelningar; ange en med --recordings eller utelämna det.</translation>
+    </message>
+    <message>
+        <source>The recording %1 of the results in %2 was changed since: its SHA-256 is %3 and not %4; give the folder that holds it as it was with --recordings.</source>
+        <translation>Inspelningen %1 till resultaten i %2 har ändrats sedan dess: dess SHA-256 är %3 och inte %4; ange med --recordings mappen där den finns som den var.</translation>
+    </message>
+    <message>
+        <source>The recording %1 (SHA-256 %3) of the results in %2 was not found there nor beside; give the folder that holds it, under whatever name, with --recordings.</source>
+        <translation>Inspelningen %1 (SHA-256 %3) till resultaten i %2 hittades varken där eller bredvid; ange med --recordings mappen där den finns, under vilket namn som helst.</translation>
+    </message>
+    <message>
+        <source>%1 was written by a later version: its schema is &quot;%2&quot;, and this one reads &quot;%3&quot;; use that version of Dyncal.</source>
+        <translation>%1 skrevs av en senare version: dess schema är &quot;%2&quot;, och denna läser &quot;%3&quot;; använd den versionen av Dyncal.</translation>
+    </message>
+    <message>
+        <source>The run in %1 cannot be computed again: %2</source>
+        <translation>Körningen i %1 kan inte räknas om: %2</translation>
+    </message>
+    <message>
+        <source>The file %1 (SHA-256 %2) that the recipe of the results in %3 names is not there as it was, and no copy of it is in sources/; put it where the recipe says, seen from that folder.</source>
+        <translation>Filen %1 (SHA-256 %2) som receptet till resultaten i %3 nämner finns inte där som den var, och ingen kopia av den finns i sources/; lägg den där receptet säger, sett från den mappen.</translation>
+    </message>
 </context>
 <context>
     <name>dyncal::ArrivalPanel</name>
@@ -8101,6 +8169,18 @@ steget</translation>
     <message>
         <source>Remove an entry of the CMC</source>
         <translation>Ta bort en post ur CMC</translation>
+    </message>
+    <message>
+        <source>Add this entry</source>
+        <translation>Lägg till posten</translation>
+    </message>
+    <message>
+        <source>Replace the selected entry</source>
+        <translation>Ersätt den valda posten</translation>
+    </message>
+    <message>
+        <source>Remove the selected entry</source>
+        <translation>Ta bort den valda posten</translation>
     </message>
 </context>
 <context>

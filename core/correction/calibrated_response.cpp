@@ -5,7 +5,6 @@
 
 #include "core/correction/results_model.h"
 #include "core/correction/results_rows.h"
-#include "core/project/strict_json.h"
 
 #include <algorithm>
 #include <cmath>
@@ -13,17 +12,7 @@
 namespace dyncal {
 namespace {
 
-constexpr const char *kResultsSchema = "dyncal-results/1";
-
-Result<void> checkSchema(const Json &root, const std::string &name)
-{
-    if (textAt(root, "schema") == kResultsSchema)
-        return {};
-    return fail(ErrorKind::Usage,
-        {DYNCAL_TEXT("core",
-             "%1 is no results.json of a calibration: its schema is \"%2\" instead of \"%3\"; give the folder or the results.json that dyncal run wrote."),
-            {name, textAt(root, "schema"), kResultsSchema}});
-}
+using Json = nlohmann::json;
 
 Result<void> checkKind(const Json &root)
 {
@@ -97,12 +86,11 @@ Result<KnownResponse> knownResponse(const Json &root, double fLow_Hz)
 
 Result<CalibratedResponse> calibratedResponse(const std::string &text, const std::string &name)
 {
-    const Result<Json> root = parseStrictJson(text, name);
+    const Result<Json> root = parseResults(text, name);
     if (!root)
         return tl::unexpected<Error>(root.error());
     const double fLow_Hz = numberAt(valueAt(*root, "response"), "f_low_hz");
-    return checkSchema(*root, name)
-        .and_then([&] { return checkKind(*root); })
+    return checkKind(*root)
         .and_then([&] { return knownResponse(*root, fLow_Hz); })
         .map([&](KnownResponse response) {
             return CalibratedResponse{std::move(response), fLow_Hz,

@@ -187,36 +187,6 @@ Complex byDamping(Complex s_rad_s)
 
 } // namespace
 
-const Json &valueAt(const Json &object, const std::string &key)
-{
-    static const Json none;
-    const auto found = object.is_object() ? object.find(key) : object.end();
-    return object.is_object() && found != object.end() ? *found : none;
-}
-
-double numberAt(const Json &object, const std::string &key)
-{
-    const Json &value = valueAt(object, key);
-    return value.is_number() ? value.get<double>() : kUnknown;
-}
-
-std::string textAt(const Json &object, const std::string &key)
-{
-    const Json &value = valueAt(object, key);
-    return value.is_string() ? value.get<std::string>() : std::string();
-}
-
-Eigen::VectorXd numbersAt(const Json &object, const std::string &key)
-{
-    const Json &list = valueAt(object, key);
-    Eigen::VectorXd numbers(list.is_array() ? static_cast<Index>(list.size()) : 0);
-    for (Index i = 0; i < numbers.size(); ++i) {
-        const Json &value = list[static_cast<std::size_t>(i)];
-        numbers[i] = value.is_number() ? value.get<double>() : kUnknown;
-    }
-    return numbers;
-}
-
 Result<PoleShape> shapeOf(const Json &model, double fLow_Hz)
 {
     const SampledModel sampled = sampledModel(model);

@@ -5,21 +5,11 @@
 
 #include "core/base/result.h"
 #include "core/correction/known_response.h"
-
-#include <nlohmann/json.hpp>
+#include "core/results/results_reading.h"
 
 namespace dyncal {
 
 // Internal to core/correction: parts of a results.json as values.
-
-/// The value at `key`; null where there is none.
-const nlohmann::json &valueAt(const nlohmann::json &object, const std::string &key);
-/// The number, or NaN.
-double numberAt(const nlohmann::json &object, const std::string &key);
-/// A list of numbers, NaN where one is none; empty where it is no list.
-Eigen::VectorXd numbersAt(const nlohmann::json &object, const std::string &key);
-/// The text, or "".
-std::string textAt(const nlohmann::json &object, const std::string &key);
 
 /// The continuous form of the model of a step that results.json has as sampled A, B, C, D: with the
 /// residues r_i of D + C (z - A)^-1 B at the poles z_i, s_i = ln z_i/dt and c_i = r_i/(z_i - 1)

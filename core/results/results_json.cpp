@@ -13,6 +13,7 @@
 #include "core/results/results_conformity_json.h"
 #include "core/results/results_measurement_json.h"
 #include "core/results/results_model_json.h"
+#include "core/results/results_reading.h"
 #include "core/results/results_response_json.h"
 #include "core/results/results_sensitivity_json.h"
 #include "core/results/results_shock_json.h"
@@ -25,8 +26,6 @@ namespace dyncal {
 namespace {
 
 using Json = JsonRecord::Json;
-
-constexpr const char *kSchema = "dyncal-results/1";
 
 Json software()
 {
@@ -123,7 +122,7 @@ std::string resultsJson(
 {
     const ResultsContext context{outcome, recipe};
     JsonRecord root;
-    root.set("schema", kSchema);
+    root.set("schema", kResultsSchema);
     root.set("software", software());
     root.set("created_utc", createdUtc);
     root.set("recipe", Json::parse(recipeJson(recipe)));

@@ -110,22 +110,6 @@ class TestResultsModel : public QObject
     Q_OBJECT
 
 private slots:
-    void values_thatAreNotThere_areNoNumbers()
-    {
-        const Json json{{"text", "word"}, {"number", 3}, {"list", {1.5, nullptr, "x"}}};
-        QCOMPARE(textAt(json, "text"), std::string("word"));
-        QCOMPARE(textAt(json, "number"), std::string());
-        QCOMPARE(numberAt(json, "number"), 3.0);
-        QVERIFY(std::isnan(numberAt(json, "text")));
-        QVERIFY(std::isnan(numberAt(Json(7), "text")));
-        QVERIFY(valueAt(json, "nothing").is_null());
-        QVERIFY(valueAt(Json::array(), "0").is_null());
-        const Eigen::VectorXd list = numbersAt(json, "list");
-        QCOMPARE(list.size(), Index(3));
-        QVERIFY(list[0] == 1.5 && std::isnan(list[1]) && std::isnan(list[2]));
-        QCOMPARE(numbersAt(json, "number").size(), Index(0));
-    }
-
     void shape_ofASensorOfSecondOrder_isItsClosedForm_data()
     {
         QTest::addColumn<double>("f0_Hz");

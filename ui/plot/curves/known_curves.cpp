@@ -26,8 +26,8 @@ using BarPoints = std::vector<BarPoint>;
 BarPoints pointsOfRows(const ResponseResult &response, const RowUncertainty &rows)
 {
     BarPoints points;
-    for (Index row = 0; row < rows.u_magnitude.size(); ++row)
-        if (std::isfinite(rows.u_magnitude[row]))
+    for (Index row = 0; rows.isComplete() && row < response.magnitude.size(); ++row)
+        if (std::isfinite(response.magnitude[row]))
             points.push_back({response.frequency_Hz[row], response.magnitude[row],
                 magnitudeOfRow(response, rows, row).expanded().value_or(kUnknown)});
     return points;

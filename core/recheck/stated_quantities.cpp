@@ -1,0 +1,246 @@
+// SPDX-FileCopyrightText: 2026 The Dyncal authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "core/recheck/stated_quantities.h"
+
+#include "core/base/number_text.h"
+#include "core/results/results_reading.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <initializer_list>
+
+namespace dyncal {
+namespace {
+
+using Json = nlohmann::json;
+using Pairs = std::vector<QuantityPair>;
+
+constexpr double kSameFrequency = 1e-9;
+constexpr int kDigitsOfPlace = 6;
+
+/// Where an object keeps a quantity.
+struct QuantityKeys
+{
+    const char *value;
+    const char *u;
+    const char *k; ///< of results that state it
+    const char *unit; ///< the unit itself
+};
+
+constexpr std::array<QuantityKeys, 5> kOfShock{
+    {{"velocity_m_s", "u_velocity_m_s", "velocity_k", "m/s"}, {"mach", "u_mach", "", "1"},
+        {"p2_pa", "u_p2_pa", "", "Pa"}, {"p5_pa", "u_p5_pa", "", "Pa"},
+        {"step_pa", "u_step_pa", "step_k", "Pa"}}};
+
+constexpr std::array<QuantityKeys, 3> kOfBands{{{"within_5_percent_hz", "", "", "Hz"},
+    {"within_10_percent_hz", "", "", "Hz"}, {"minus_3_db_hz", "", "", "Hz"}}};
+
+/// Nothing where the earlier results have no such key: then they do not state the quantity.
+void addQuantity(Pairs &pairs, const std::string &of, const std::string &where, const Json &issued,
+    const Json &now, const QuantityKeys &keys)
+{
+    if (issued.is_object() && issued.contains(keys.value))
+        pairs.push_back({of, where, keys.unit, numberAt(issued, keys.value),
+            numberAt(issued, keys.u), numberAt(issued, keys.k), numberAt(now, keys.value)});
+}
+
+/// The entry of the list whose `identity` is that of `entry`; null where there is none.
+const Json &sameEntry(const Json &list, const Json &entry, const char *identity)
+{
+    static const Json none;
+    for (const Json &other : list)
+        if (!valueAt(entry, identity).is_null()
+            && valueAt(other, identity) == valueAt(entry, identity))
+            return other;
+    return none;
+}
+
+std::string placed(const std::string &list, std::size_t i)
+{
+    return list + '[' + std::to_string(i) + ']';
+}
+
+std::string ofShot(const Json &entry)
+{
+    return "shot " + numberText(numberAt(entry, "shot"));
+}
+
+void addCharacteristic(Pairs &pairs, const Json &entry, const Json &issued, const Json &now)
+{
+    const std::string unit = textAt(entry, "unit");
+    addQuantity(
+        pairs, textAt(entry, "quantity"), {}, issued, now, {"value", "u", "k", unit.c_str()});
+}
+
+/// A list of what could be determined: one that is in the later one alone was not, then.
+void addCharacteristics(Pairs &pairs, const Json &issued, const Json &now)
+{
+    const Json undetermined{{"value", nullptr}};
+    for (const Json &one : issued)
+        addCharacteristic(pairs, one, one, sameEntry(now, one, "quantity"));
+    for (const Json &one : now)
+        if (one.is_object() && sameEntry(issued, one, "quantity").is_null())
+            addCharacteristic(pairs, one, undetermined, one);
+}
+
+void addLevels(Pairs &pairs, const Json &issued, const Json &now, const std::string &unit)
+{
+    for (std::size_t i = 0; issued.is_array() && i < issued.size(); ++i)
+        addQuantity(pairs, placed("sensitivity.per_level", i), textAt(issued[i], "level"),
+            issued[i], sameEntry(now, issued[i], "level"), {"value", "u", "k", unit.c_str()});
+}
+
+void addSensitivities(Pairs &pairs, const Json &issued, const Json &now)
+{
+    const std::string unit = textAt(issued, "unit");
+    addQuantity(pairs, "sensitivity", {}, issued, now, {"value", "u", "k", unit.c_str()});
+    addLevels(pairs, valueAt(issued, "per_level"), valueAt(now, "per_level"), unit);
+    addQuantity(pairs, "sensitivity.linearity_per_pa", {}, issued, now,
+        {"linearity_per_pa", "u_linearity_per_pa", "", "1/Pa"});
+}
+
+void addShots(Pairs &pairs, const Json &issued, const Json &now)
+{
+    for (std::size_t i = 0; issued.is_array() && i < issued.size(); ++i) {
+        const std::string unit = textAt(issued[i], "sensitivity_unit");
+        addQuantity(pairs, placed("shots", i) + ".sensitivity", ofShot(issued[i]), issued[i],
+            sameEntry(now, issued[i], "shot"),
+            {"sensitivity", "u_sensitivity", "k_sensitivity", unit.c_str()});
+    }
+}
+
+void addShocks(Pairs &pairs, const Json &issued, const Json &now)
+{
+    for (std::size_t i = 0; issued.is_array() && i < issued.size(); ++i)
+        for (const QuantityKeys &keys : kOfShock)
+            addQuantity(pairs, placed("shock", i) + '.' + keys.value, ofShot(issued[i]), issued[i],
+                sameEntry(now, issued[i], "shot"), keys);
+}
+
+/// The place of the frequency in an ascending list; -1 where it is not there.
+Index placeOf(const Eigen::VectorXd &frequencies_Hz, double f_Hz)
+{
+    const double *end = frequencies_Hz.data() + frequencies_Hz.size();
+    const double *at = std::lower_bound(frequencies_Hz.data(), end, f_Hz * (1.0 - kSameFrequency));
+    return at != end && *at <= f_Hz * (1.0 + kSameFrequency) ? at - frequencies_Hz.data() : -1;
+}
+
+double valueIn(const Eigen::VectorXd &values, Index i)
+{
+    return i >= 0 && i < values.size() ? values[i] : kUnknown;
+}
+
+/// One column of rows over frequency.
+void addColumn(Pairs &pairs, const std::string &of, const Json &issued, const Json &now,
+    const QuantityKeys &keys)
+{
+    const Eigen::VectorXd f_Hz = numbersAt(issued, "frequency_hz");
+    const Eigen::VectorXd fNow_Hz = numbersAt(now, "frequency_hz");
+    const Eigen::VectorXd value = numbersAt(issued, keys.value), u = numbersAt(issued, keys.u),
+                          k = numbersAt(issued, keys.k), after = numbersAt(now, keys.value);
+    for (Index i = 0; i < std::min(f_Hz.size(), value.size()); ++i)
+        pairs.push_back({placed(of + '.' + keys.value, static_cast<std::size_t>(i)),
+            numberWithUnit(f_Hz[i], "Hz", kDigitsOfPlace), keys.unit, value[i], valueIn(u, i),
+            valueIn(k, i), valueIn(after, placeOf(fNow_Hz, f_Hz[i]))});
+}
+
+/// Before the budget was complete, u of a magnitude per pressure did not hold that of the step.
+bool isOfNoiseAlone(const Json &response)
+{
+    return valueAt(response, "u_contains_step") == Json(false)
+        && textAt(response, "unit").ends_with("/Pa");
+}
+
+void addRows(Pairs &pairs, const std::string &of, const Json &issued, const Json &now)
+{
+    const std::size_t first = pairs.size();
+    const std::string unit = textAt(issued, "unit");
+    addColumn(pairs, of, issued, now, {"magnitude", "u_magnitude", "k_magnitude", unit.c_str()});
+    for (std::size_t i = first; i < pairs.size(); ++i)
+        pairs[i].isOfNoiseAlone = isOfNoiseAlone(issued);
+    const std::size_t second = pairs.size();
+    addColumn(pairs, of, issued, now, {"phase_rad", "u_phase_rad", "k_phase", "rad"});
+    for (std::size_t i = second; i < pairs.size(); ++i)
+        pairs[i].isAngle = true;
+}
+
+void addComparison(Pairs &pairs, const Json &issued, const Json &now)
+{
+    addRows(pairs, "comparison", issued, now);
+    addQuantity(pairs, "comparison.difference_relative", {}, issued, now,
+        {"difference_relative", "u_difference_relative", "", "1"});
+}
+
+bool isOfSensor(const Json &pole)
+{
+    return textAt(pole, "class") == "sensor" && numberAt(pole, "im") >= 0.0
+        && numberAt(pole, "frequency_hz") > 0.0;
+}
+
+const Json &nearestPole(const Json &poles, double f_Hz)
+{
+    static const Json none;
+    const Json *nearest = &none;
+    double least = std::numeric_limits<double>::infinity();
+    for (const Json &pole : poles) {
+        const double distance = std::abs(std::log(numberAt(pole, "frequency_hz") / f_Hz));
+        if (isOfSensor(pole) && distance < least) {
+            least = distance;
+            nearest = &pole;
+        }
+    }
+    return *nearest;
+}
+
+/// Of results without characteristics; they had no u then.
+void addBands(Pairs &pairs, const Json &issued, const Json &now)
+{
+    for (const QuantityKeys &keys : kOfBands)
+        addQuantity(pairs, std::string("bands.") + keys.value, {}, issued, now, keys);
+}
+
+/// What results without characteristics have instead; their u is that of the noise.
+void addPoles(Pairs &pairs, const Json &issued, const Json &now)
+{
+    const std::size_t first = pairs.size();
+    for (std::size_t i = 0; issued.is_array() && i < issued.size(); ++i) {
+        if (!isOfSensor(issued[i]))
+            continue;
+        const double f_Hz = numberAt(issued[i], "frequency_hz");
+        const Json &near = nearestPole(now, f_Hz);
+        const std::string of = placed("model.poles", i);
+        const std::string where = "pole at " + numberWithUnit(f_Hz, "Hz", kDigitsOfPlace);
+        addQuantity(pairs, of + ".frequency_hz", where, issued[i], near,
+            {"frequency_hz", "u_frequency_hz", "", "Hz"});
+        addQuantity(pairs, of + ".damping_ratio", where, issued[i], near,
+            {"damping_ratio", "u_damping_ratio", "", "1"});
+    }
+    for (std::size_t i = first; i < pairs.size(); ++i)
+        pairs[i].isOfNoiseAlone = true;
+}
+
+} // namespace
+
+std::vector<QuantityPair> statedQuantities(const Json &issued, const Json &now)
+{
+    Pairs pairs;
+    const auto both
+        = [&](const char *key, auto add) { add(pairs, valueAt(issued, key), valueAt(now, key)); };
+    if (valueAt(issued, "characteristics").is_array()) {
+        both("characteristics", addCharacteristics);
+    } else {
+        addPoles(pairs, valueAt(valueAt(issued, "model"), "poles"),
+            valueAt(valueAt(now, "model"), "poles"));
+        both("bands", addBands);
+    }
+    both("sensitivity", addSensitivities);
+    both("shots", addShots);
+    both("shock", addShocks);
+    addRows(pairs, "response", valueAt(issued, "response"), valueAt(now, "response"));
+    both("comparison", addComparison);
+    return pairs;
+}
+
+} // namespace dyncal
