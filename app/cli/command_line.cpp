@@ -24,8 +24,8 @@
 namespace dyncal {
 namespace {
 
-constexpr std::array<std::string_view, 9> kVerbs{
-    "simulate", "info", "import", "check", "run", "batch", "compare", "export", "correct"};
+constexpr std::array<std::string_view, 10> kVerbs{"simulate", "info", "import", "check", "run",
+    "batch", "compare", "export", "correct", "selftest"};
 /// Files open at once while a recording is read and results are written.
 constexpr int kFilesOfAVerb = 12;
 /// A word that differs by more letters than this is not taken for a misspelt subcommand.
@@ -67,6 +67,7 @@ int parseAndAct(int argc, char **argv)
     addCompare(program, action);
     addExport(program, action);
     addCorrect(program, action);
+    addSelfTest(program, action);
     try {
         program.parse(argc, argv);
     } catch (const CLI::ParseError &e) {

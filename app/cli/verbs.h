@@ -22,5 +22,6 @@ void addBatch(CLI::App &program, VerbAction &action);
 void addCompare(CLI::App &program, VerbAction &action);
 void addExport(CLI::App &program, VerbAction &action);
 void addCorrect(CLI::App &program, VerbAction &action);
+void addSelfTest(CLI::App &program, VerbAction &action);
 
 } // namespace dyncal
