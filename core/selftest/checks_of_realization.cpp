@@ -78,6 +78,27 @@ double poleOfThesis(DataChange &change)
     return std::min(poles[0].real(), poles[1].real());
 }
 
+/// Of two periods, which end while the sensor still rings: the last row counts.
+double errorOfUndecayedPole(DataChange &change)
+{
+    const auto hankel = decomposed(
+        inputOf(change(kSlow.sampled(kModelRate_Hz, 66, 1.0)), ResponseTreatment::StepDeflated));
+    const std::complex<double> truth = std::exp(kSlow.pole_rad_s() / kModelRate_Hz);
+    return hankel ? std::abs(realizedPoles(*hankel, 2).front() - truth) : kUnknown;
+}
+
+/// The model that the thesis makes of a step, of order 3, gives the step again.
+double errorOfThesisModel(DataChange &change)
+{
+    const ModelInput input = publishedInput(ResponseTreatment::StepAsImpulse, change);
+    const auto hankel = decomposed(input);
+    if (!hankel)
+        return kUnknown;
+    const Eigen::VectorXd again
+        = impulseResponse(thesisRealization(*hankel, 3, 1.0 / kModelRate_Hz), kModelSamples + 1);
+    return (again.tail(kModelSamples) - input.series.front().y).cwiseAbs().maxCoeff();
+}
+
 std::optional<SensorModel> modelWithoutNoise(DataChange &change)
 {
     return modelOf(inputOf(change(kSlow.sampled(kModelRate_Hz, kModelSamples, kFirst)),
@@ -129,7 +150,11 @@ std::vector<CheckSpec> checksOfPublished()
         {"model", {DYNCAL_TEXT("core", "imaginary part of the pole"), {}}, closed, pole.imag(),
             1e-10, imaginaryPartOfPole},
         {"model", {DYNCAL_TEXT("core", "second pole of the thesis's own way, order 2"), {}}, source,
-            -0.4361941, 5e-8, poleOfThesis}};
+            -0.4361941, 5e-8, poleOfThesis},
+        {"model", {DYNCAL_TEXT("core", "pole of a record that ends while it rings, error"), {}},
+            closed, 0.0, 1e-10, errorOfUndecayedPole},
+        {"model", {DYNCAL_TEXT("core", "step by the thesis's model of order 3, largest error"), {}},
+            {DYNCAL_TEXT("core", "by construction"), {}}, 0.0, 1e-9, errorOfThesisModel}};
 }
 
 std::vector<CheckSpec> checksOfFit()

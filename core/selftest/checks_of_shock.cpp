@@ -7,7 +7,7 @@
 #include "core/pipeline/shock_stage.h"
 #include "core/selftest/known_records.h"
 #include "core/shock/moist_air.h"
-#include "core/shock/shock_uncertainty.h"
+#include "core/shock/tube_waves.h"
 #include "core/shock/variable_shock.h"
 #include "core/shock/velocity_fit.h"
 
@@ -114,6 +114,17 @@ double thesisPlateau_s(DataChange &change)
     return states ? plateauTime_s(*states, 0.97) : kUnknown;
 }
 
+/// The driver's rarefaction at the end wall, its driver 0.2 m long.
+double thesisRarefaction_s(DataChange &change)
+{
+    const auto states = thesisShock(change);
+    if (!states)
+        return kUnknown;
+    TubeGeometry geometry{0.97, 0.2, gasAtRest(kThesisAir, 684846.955, 295.35), kThesisAir};
+    const TubeWaves waves = tubeWaves(*states, geometry);
+    return waves.plateauEnd == PlateauEnd::DriverRarefaction ? waves.plateau_s : kUnknown;
+}
+
 double soundSpeedOfMoistAir_m_s(DataChange &change)
 {
     const auto air = moistAir(101100.0, change(294.15), 0.5, 4e-4);
@@ -213,6 +224,9 @@ std::vector<CheckSpec> publishedShockValues()
         {"shock", {DYNCAL_TEXT("core", "plateau of the thesis's tube, s"), {}},
             {DYNCAL_TEXT("core", "x-t diagram of 0.97 m in closed form"), {}}, 1.626e-3, 5e-7,
             thesisPlateau_s},
+        {"shock", {DYNCAL_TEXT("core", "plateau of that tube with a driver of 0.2 m, s"), {}},
+            {DYNCAL_TEXT("core", "way through the fan, integrated, and an Euler solution"), {}},
+            0.889e-3, 5e-7, thesisRarefaction_s},
         {"shock", {DYNCAL_TEXT("core", "speed of sound of moist air, m/s"), {}},
             {DYNCAL_TEXT("core", "Cramer 1993, 21 degC, 50 %, 101.1 kPa"), {}}, 344.6135, 5e-5,
             soundSpeedOfMoistAir_m_s}};

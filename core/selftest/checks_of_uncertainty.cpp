@@ -56,12 +56,26 @@ double expandedAtLeast(DataChange &change)
     return threeAndFour(change, 20.0).expanded().value_or(kUnknown);
 }
 
-/// Two sources that err together, r = 1/2: 3, 4, and 2 r 3 4.
-double correlatedSum(DataChange &change)
+/// Two sources that err together, r = 1/2, beside one alone: 3 with 6 degrees of freedom, 4, and 2
+/// with 5.
+CombinedUncertainty correlatedSum(DataChange &change)
 {
-    UncertaintyLine first = directLine("first", change(3.0));
+    UncertaintyLine first = directLine("first", change(3.0), 6.0),
+                    second = directLine("second", 4.0);
     first.correlated = {{"second", 0.5}};
-    return combined({first, directLine("second", 4.0)}).u;
+    second.correlated = {{"first", 0.5}};
+    return combined({first, second, directLine("third", 2.0, 5.0)});
+}
+
+double correlatedUncertainty(DataChange &change)
+{
+    return correlatedSum(change).u;
+}
+
+/// Those that err together count as one, with the fewest degrees of freedom among them.
+double correlatedDegrees(DataChange &change)
+{
+    return correlatedSum(change).dof;
 }
 
 /// a b at a = 3, b = 4 with u 0.03 and 0.08.
@@ -93,6 +107,34 @@ std::optional<double> stepUncertainty_Pa(DataChange &change)
 double stepUncertainty_relative(DataChange &change)
 {
     return stepUncertainty_Pa(change).value_or(kUnknown) / 434498.068;
+}
+
+/// Of a shot of 500 m/s between a sensor 0.8 m before the wall and the wall, of which nothing but
+/// the sensor's distance (0.8 mm) and time (1 us) is uncertain.
+double velocityUncertainty_relative(DataChange &change)
+{
+    StepMeasurement m;
+    m.state = {101100.0, 294.15, 0.0, 0.0};
+    Sighting side, wall;
+    side.channel = "side";
+    side.distance_m = change(0.8);
+    side.u_distance_m = 8e-4;
+    side.u_time_s = 1e-6;
+    wall.channel = "DUT";
+    wall.time_s = 1.6e-3;
+    wall.u_time_s = 1e-12;
+    wall.isDut = true;
+    m.velocity.sightings = {side, wall};
+    const auto fit = fitVelocity(m.velocity.sightings, Attenuation::None);
+    if (!fit)
+        return kUnknown;
+    m.velocity.fit = *fit;
+    m.velocity.velocity_m_s = fit->velocity_m_s;
+    UncertaintyRequest request;
+    request.evaluate = true;
+    const auto budget = evaluateStep(m, request);
+    return budget ? budget->u(StepResult::Velocity).value_or(kUnknown) / fit->velocity_m_s
+                  : kUnknown;
 }
 
 /// The published sensitivities times those u: d ln step = 4.65354 d ln W and so on.
@@ -145,12 +187,18 @@ std::vector<CheckSpec> checksOfSums()
         {"uncertainty", {DYNCAL_TEXT("core", "U where the laboratory states no less than 20"), {}},
             {DYNCAL_TEXT("core", "ILAC-P14, 5.4"), {}}, 20.0, 1e-12, expandedAtLeast},
         {"uncertainty", {DYNCAL_TEXT("core", "u of contributions with r = 0.5"), {}}, gum,
-            std::sqrt(37.0), 1e-13, correlatedSum},
+            std::sqrt(41.0), 1e-13, correlatedUncertainty},
+        {"uncertainty", {DYNCAL_TEXT("core", "effective degrees of freedom with r = 0.5"), {}}, gum,
+            41.0 * 41.0 / (37.0 * 37.0 / 6.0 + 16.0 / 5.0), 1e-11, correlatedDegrees},
         {"uncertainty", {DYNCAL_TEXT("core", "u of a product"), {}}, gum, std::hypot(0.12, 0.24),
             1e-10, productsUncertainty},
         {"uncertainty", {DYNCAL_TEXT("core", "relative u of the thesis's step"), {}},
             {DYNCAL_TEXT("core", "published sensitivities, six digits"), {}},
-            knownStepUncertainty_relative(), 2e-8, stepUncertainty_relative}};
+            knownStepUncertainty_relative(), 2e-8, stepUncertainty_relative},
+        {"uncertainty", {DYNCAL_TEXT("core", "relative u of a velocity over 0.8 m"), {}},
+            {DYNCAL_TEXT("core", "u of the distance over the distance, of the time over the time"),
+                {}},
+            std::hypot(1e-3, 1.0 / 1600.0), 1e-8, velocityUncertainty_relative}};
 }
 
 std::vector<CheckSpec> checksOfSpectra()

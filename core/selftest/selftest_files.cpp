@@ -135,7 +135,7 @@ CertificateSection checkSection(const std::vector<SelfCheck> &checks)
     }
     section.notes = {
         {DYNCAL_TEXT("core",
-             "A check holds where found and expected differ by no more than the tolerance. The last number is how far the result moves when all data change by a part in 10^12: rounding moves it by some thousandth of that."),
+             "A check holds where found and expected differ by no more than the tolerance. The last number is how far the result moves when all data change by a part in 10^12: rounding moves it by less than a thousandth of that."),
             {}}};
     return section;
 }
