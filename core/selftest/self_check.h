@@ -52,7 +52,8 @@ struct SelfCheck
     double expected = 0.0;
     double found = 0.0; ///< not finite where nothing could be computed
     double tolerance = 0.0;
-    double sensitivity = 0.0; ///< change of `found` for changes of the data by kDataChange
+    double sensitivity = 0.0; ///< change of `found` for changes of the data by kDataChange; NaN
+                              ///< where nothing was found, and of random draws
 
     bool holds() const; ///< |found - expected| <= tolerance
 };

@@ -35,8 +35,8 @@ Json checkJson(const SelfCheck &check)
         {"source", english(check.source)}, {"expected", check.expected},
         {"tolerance", check.tolerance}, {"holds", check.holds()}};
     putNumber(record, "found", check.found, "could not be computed");
-    putNumber(
-        record, "change_for_1e_12", check.sensitivity, "a count or a scatter of random draws");
+    putNumber(record, "change_for_1e_12", check.sensitivity,
+        "of random draws, or of nothing that could be computed");
     return record;
 }
 

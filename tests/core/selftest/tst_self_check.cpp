@@ -76,7 +76,7 @@ private slots:
     void nothingComputed_deviates()
     {
         const SelfCheck unknown = carriedOut(specOf([](DataChange &) { return kUnknown; }));
-        QVERIFY(!unknown.holds() && std::isnan(unknown.found));
+        QVERIFY(!unknown.holds() && std::isnan(unknown.found) && std::isnan(unknown.sensitivity));
         const SelfCheck thrown = carriedOut(
             specOf([](DataChange &) -> double { throw std::runtime_error("fault"); }, 0.0, 1e300));
         QVERIFY(!thrown.holds() && std::isnan(thrown.found));
