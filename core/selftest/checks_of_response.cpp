@@ -10,6 +10,7 @@
 #include "core/realization/exponentials/front.h"
 #include "core/selftest/second_order_truth.h"
 
+#include <algorithm>
 #include <cmath>
 #include <complex>
 

@@ -8,6 +8,7 @@
 #include "core/consistency/way_comparison.h"
 #include "core/uncertainty/transducer_comparison.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace dyncal {

@@ -7,6 +7,7 @@
 #include "core/base/parallel.h"
 #include "core/selftest/virtual_calibration.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace dyncal {

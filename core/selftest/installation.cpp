@@ -5,6 +5,7 @@
 
 #include "core/base/version.h"
 
+#include <Eigen/Core>
 #include <fftw3.h>
 #include <gnu/libc-version.h>
 #include <hdf5.h>

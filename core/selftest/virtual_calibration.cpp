@@ -10,6 +10,7 @@
 #include "core/selftest/second_order_truth.h"
 #include "core/uncertainty/budgets.h"
 
+#include <algorithm>
 #include <cmath>
 #include <memory>
 

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The Dyncal authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// The self-test alone, for programs with a fault in them (faults.py): prints "holds", or the step of the
-// first deviation; the argument is the number of virtual calibrations.
+// The self-test alone, for programs with a fault in them (faults.py): prints "holds", or the step
+// of the first deviation; the argument is the number of virtual calibrations.
 
 #include "core/base/message.h"
 #include "core/selftest/selftest.h"
