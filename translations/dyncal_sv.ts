@@ -3327,6 +3327,10 @@ steget</translation>
         <source>DRAFT</source>
         <translation>UTKAST</translation>
     </message>
+    <message>
+        <source>End of the report</source>
+        <translation>Slut på rapporten</translation>
+    </message>
 </context>
 <context>
     <name>ShockBudget</name>
@@ -7857,6 +7861,674 @@ steget</translation>
         <source>The file %1 (SHA-256 %2) that the recipe of the results in %3 names is not there as it was, and no copy of it is in sources/; put it where the recipe says, seen from that folder.</source>
         <translation>Filen %1 (SHA-256 %2) som receptet till resultaten i %3 nämner finns inte där som den var, och ingen kopia av den finns i sources/; lägg den där receptet säger, sett från den mappen.</translation>
     </message>
+    <message>
+        <source>The documents were not drawn because the system or another program ended the helper process that draws them, most likely for want of memory, and nothing was written; close other programs and try again.</source>
+        <translation>Dokumenten ritades inte eftersom systemet eller ett annat program avslutade hjälpprocessen som ritar dem, troligen av brist på minne, och inget skrevs; stäng andra program och försök igen.</translation>
+    </message>
+    <message>
+        <source>The documents could not be drawn, most likely because there is not enough memory, and nothing was written; close other programs or raise the memory limit.</source>
+        <translation>Dokumenten kunde inte ritas, troligen för att minnet inte räcker, och inget skrevs; stäng andra program eller höj minnesgränsen.</translation>
+    </message>
+    <message>
+        <source>Cramer-Rao bound of five parameters in white noise</source>
+        <translation>Cramér-Raos gräns för fem parametrar i vitt brus</translation>
+    </message>
+    <message>
+        <source>FIT of order 2, %</source>
+        <translation>FIT för ordning 2, %</translation>
+    </message>
+    <message>
+        <source>what noise of that power leaves</source>
+        <translation>vad brus av den effekten lämnar</translation>
+    </message>
+    <message>
+        <source>suggested order</source>
+        <translation>föreslagen ordning</translation>
+    </message>
+    <message>
+        <source>by construction</source>
+        <translation>genom konstruktion</translation>
+    </message>
+    <message>
+        <source>u of the natural frequency, relative</source>
+        <translation>egenfrekvensens u, relativt</translation>
+    </message>
+    <message>
+        <source>u of the damping ratio</source>
+        <translation>dämpningsförhållandets u</translation>
+    </message>
+    <message>
+        <source>filter times sensor is 1 within the band</source>
+        <translation>filter gånger givare är 1 inom bandet</translation>
+    </message>
+    <message>
+        <source>JCGM 100, 7.2.6: two digits of u</source>
+        <translation>JCGM 100, 7.2.6: två siffror av u</translation>
+    </message>
+    <message>
+        <source>magnitude behind the correction, 100 kHz</source>
+        <translation>belopp efter korrektionen, 100 kHz</translation>
+    </message>
+    <message>
+        <source>phase behind the correction, rad</source>
+        <translation>fas efter korrektionen, rad</translation>
+    </message>
+    <message>
+        <source>gain of the correction at 0 Hz</source>
+        <translation>korrektionens förstärkning vid 0 Hz</translation>
+    </message>
+    <message>
+        <source>2330149 Hz as printed with u, MHz</source>
+        <translation>2330149 Hz som det trycks med u, MHz</translation>
+    </message>
+    <message>
+        <source>u = 1234 Hz as printed, MHz</source>
+        <translation>u = 1234 Hz som det trycks, MHz</translation>
+    </message>
+    <message>
+        <source>division by hand</source>
+        <translation>division för hand</translation>
+    </message>
+    <message>
+        <source>magnitude without the chain</source>
+        <translation>belopp utan kedjan</translation>
+    </message>
+    <message>
+        <source>phase without the chain, rad</source>
+        <translation>fas utan kedjan, rad</translation>
+    </message>
+    <message>
+        <source>u of the chain in the magnitude</source>
+        <translation>kedjans u i beloppet</translation>
+    </message>
+    <message>
+        <source>sensitivity between two rows of a table</source>
+        <translation>känslighet mellan två rader i en tabell</translation>
+    </message>
+    <message>
+        <source>straight line over log f</source>
+        <translation>rät linje över log f</translation>
+    </message>
+    <message>
+        <source>sensitivity by a model, at its f0</source>
+        <translation>känslighet enligt en modell, vid dess f0</translation>
+    </message>
+    <message>
+        <source>u of that sensitivity</source>
+        <translation>den känslighetens u</translation>
+    </message>
+    <message>
+        <source>decomposition by another program, f0 = 318 kHz, zeta = 0.02, 1 MHz</source>
+        <translation>uppdelning med ett annat program, f0 = 318 kHz, zeta = 0.02, 1 MHz</translation>
+    </message>
+    <message>
+        <source>exp(s/rate) of the sensor&apos;s poles</source>
+        <translation>exp(s/takt) av givarens poler</translation>
+    </message>
+    <message>
+        <source>second singular value over the first, differences</source>
+        <translation>andra singulärvärdet genom det första, differenser</translation>
+    </message>
+    <message>
+        <source>second singular value over the first, step as impulse</source>
+        <translation>andra singulärvärdet genom det första, steg som impuls</translation>
+    </message>
+    <message>
+        <source>third singular value over the first, step deflated</source>
+        <translation>tredje singulärvärdet genom det första, steget borttaget</translation>
+    </message>
+    <message>
+        <source>a sensor of order 2 has two</source>
+        <translation>en givare av ordning 2 har två</translation>
+    </message>
+    <message>
+        <source>real part of the pole</source>
+        <translation>polens realdel</translation>
+    </message>
+    <message>
+        <source>imaginary part of the pole</source>
+        <translation>polens imaginärdel</translation>
+    </message>
+    <message>
+        <source>second pole of the thesis&apos;s own way, order 2</source>
+        <translation>andra polen enligt avhandlingens eget sätt, ordning 2</translation>
+    </message>
+    <message>
+        <source>pole of a record that ends while it rings, error</source>
+        <translation>pol ur en registrering som slutar medan den svänger, fel</translation>
+    </message>
+    <message>
+        <source>step by the thesis&apos;s model of order 3, largest error</source>
+        <translation>steg enligt avhandlingens modell av ordning 3, största felet</translation>
+    </message>
+    <message>
+        <source>second-order step in closed form, zeta = 0.05</source>
+        <translation>andra ordningens steg i sluten form, zeta = 0.05</translation>
+    </message>
+    <message>
+        <source>natural frequency, Hz</source>
+        <translation>egenfrekvens, Hz</translation>
+    </message>
+    <message>
+        <source>damping ratio</source>
+        <translation>dämpningsförhållande</translation>
+    </message>
+    <message>
+        <source>onset, in samples from the first</source>
+        <translation>början, i sampel från det första</translation>
+    </message>
+    <message>
+        <source>plateau gain</source>
+        <translation>platåförstärkning</translation>
+    </message>
+    <message>
+        <source>value of one count by polynomial, gain and polarity</source>
+        <translation>en räknings värde med polynom, förstärkning och polaritet</translation>
+    </message>
+    <message>
+        <source>saturated shots found, of one</source>
+        <translation>funna mättade skott, av ett</translation>
+    </message>
+    <message>
+        <source>sample at which a step begins</source>
+        <translation>sampel där ett steg börjar</translation>
+    </message>
+    <message>
+        <source>where a ramp crosses a level, in samples</source>
+        <translation>var en ramp korsar en nivå, i sampel</translation>
+    </message>
+    <message>
+        <source>samples that a capture loses, written and read back</source>
+        <translation>sampel som en registrering förlorar, skriven och läst igen</translation>
+    </message>
+    <message>
+        <source>value in a table with decimal commas</source>
+        <translation>värde i en tabell med decimalkomma</translation>
+    </message>
+    <message>
+        <source>wrong digits of the SHA-256 of &quot;abc&quot;</source>
+        <translation>felaktiga siffror i SHA-256 av &quot;abc&quot;</translation>
+    </message>
+    <message>
+        <source>FIPS 180-4, example</source>
+        <translation>FIPS 180-4, exempel</translation>
+    </message>
+    <message>
+        <source>second order in closed form, f0 = 300 kHz, 10 MHz; aliasing below 1e-6</source>
+        <translation>andra ordningen i sluten form, f0 = 300 kHz, 10 MHz; vikning under 1e-6</translation>
+    </message>
+    <message>
+        <source>magnitude from a step over the true one, 100 kHz</source>
+        <translation>belopp ur ett steg genom det sanna, 100 kHz</translation>
+    </message>
+    <message>
+        <source>phase from a step less the true one, rad</source>
+        <translation>fas ur ett steg minus den sanna, rad</translation>
+    </message>
+    <message>
+        <source>largest relative difference from Gans and Nahman</source>
+        <translation>största relativa skillnad från Gans och Nahman</translation>
+    </message>
+    <message>
+        <source>Gans and Nahman 1982, exact</source>
+        <translation>Gans och Nahman 1982, exakt</translation>
+    </message>
+    <message>
+        <source>attenuation by a front of 1 us at 250 kHz</source>
+        <translation>dämpning av en front på 1 us vid 250 kHz</translation>
+    </message>
+    <message>
+        <source>sin x / x</source>
+        <translation>sin(x) / x</translation>
+    </message>
+    <message>
+        <source>second order in closed form</source>
+        <translation>andra ordningen i sluten form</translation>
+    </message>
+    <message>
+        <source>roots of the second-order response, zeta 0.2 and 0.7, six digits</source>
+        <translation>rötter av andra ordningens svar, zeta 0.2 och 0.7, sex siffror</translation>
+    </message>
+    <message>
+        <source>magnitude of the model at f0</source>
+        <translation>modellens belopp vid f0</translation>
+    </message>
+    <message>
+        <source>phase of the model at f0, rad</source>
+        <translation>modellens fas vid f0, rad</translation>
+    </message>
+    <message>
+        <source>rise time of the model, times f0</source>
+        <translation>modellens stigtid, gånger f0</translation>
+    </message>
+    <message>
+        <source>overshoot of the model, %</source>
+        <translation>modellens översväng, %</translation>
+    </message>
+    <message>
+        <source>settling time of the model, times f0</source>
+        <translation>modellens insvängningstid, gånger f0</translation>
+    </message>
+    <message>
+        <source>band within 5 %, over f0</source>
+        <translation>band inom 5 %, genom f0</translation>
+    </message>
+    <message>
+        <source>band within 10 %, over f0</source>
+        <translation>band inom 10 %, genom f0</translation>
+    </message>
+    <message>
+        <source>band to -3 dB, over f0</source>
+        <translation>band till -3 dB, genom f0</translation>
+    </message>
+    <message>
+        <source>Rankine-Hugoniot relations in exact fractions, M = 2, gamma = 7/5</source>
+        <translation>Rankine-Hugoniots samband i exakta bråk, M = 2, gamma = 7/5</translation>
+    </message>
+    <message>
+        <source>density ratio of the incident shock</source>
+        <translation>den infallande stötvågens densitetskvot</translation>
+    </message>
+    <message>
+        <source>pressure ratio p5/p1</source>
+        <translation>tryckkvoten p5/p1</translation>
+    </message>
+    <message>
+        <source>temperature ratio T5/T1</source>
+        <translation>temperaturkvoten T5/T1</translation>
+    </message>
+    <message>
+        <source>Mach number of the reflected shock</source>
+        <translation>den reflekterade stötvågens machtal</translation>
+    </message>
+    <message>
+        <source>driver pressure p4/p1</source>
+        <translation>drivtrycket p4/p1</translation>
+    </message>
+    <message>
+        <source>Mach number from p2/p1 = 9/2</source>
+        <translation>machtal ur p2/p1 = 9/2</translation>
+    </message>
+    <message>
+        <source>p5/p1 by the conservation laws, cp(T) constant</source>
+        <translation>p5/p1 ur bevarandelagarna, cp(T) konstant</translation>
+    </message>
+    <message>
+        <source>step over p1, velocity typed</source>
+        <translation>steg genom p1, hastigheten inskriven</translation>
+    </message>
+    <message>
+        <source>table 4.2 of the thesis, recomputed to nine digits</source>
+        <translation>avhandlingens tabell 4.2, räknad om till nio siffror</translation>
+    </message>
+    <message>
+        <source>p5 of the thesis&apos;s shot, Pa</source>
+        <translation>p5 för avhandlingens skott, Pa</translation>
+    </message>
+    <message>
+        <source>T5 of the thesis&apos;s shot, K</source>
+        <translation>T5 för avhandlingens skott, K</translation>
+    </message>
+    <message>
+        <source>p4 of the thesis&apos;s shot, Pa</source>
+        <translation>p4 för avhandlingens skott, Pa</translation>
+    </message>
+    <message>
+        <source>plateau of the thesis&apos;s tube, s</source>
+        <translation>platå i avhandlingens rör, s</translation>
+    </message>
+    <message>
+        <source>x-t diagram of 0.97 m in closed form</source>
+        <translation>x-t-diagram för 0,97 m i sluten form</translation>
+    </message>
+    <message>
+        <source>plateau of that tube with a driver of 0.2 m, s</source>
+        <translation>platå i det röret med en högtrycksdel på 0,2 m, s</translation>
+    </message>
+    <message>
+        <source>way through the fan, integrated, and an Euler solution</source>
+        <translation>vägen genom solfjädern, integrerad, och en Eulerlösning</translation>
+    </message>
+    <message>
+        <source>speed of sound of moist air, m/s</source>
+        <translation>ljudhastighet i fuktig luft, m/s</translation>
+    </message>
+    <message>
+        <source>Cramer 1993, 21 degC, 50 %, 101.1 kPa</source>
+        <translation>Cramer 1993, 21 °C, 50 %, 101,1 kPa</translation>
+    </message>
+    <message>
+        <source>distance over time</source>
+        <translation>sträcka genom tid</translation>
+    </message>
+    <message>
+        <source>velocity fitted to three sensors, m/s</source>
+        <translation>hastighet anpassad till tre givare, m/s</translation>
+    </message>
+    <message>
+        <source>velocity from the records of two sensors, m/s</source>
+        <translation>hastighet ur två givares registreringar, m/s</translation>
+    </message>
+    <message>
+        <source>second-order step in closed form, zeta = 0.7</source>
+        <translation>andra ordningens steg i sluten form, zeta = 0.7</translation>
+    </message>
+    <message>
+        <source>baseline of a record</source>
+        <translation>en registrerings baslinje</translation>
+    </message>
+    <message>
+        <source>step of a record</source>
+        <translation>en registrerings steg</translation>
+    </message>
+    <message>
+        <source>first value behind the start, error</source>
+        <translation>första värdet efter starten, fel</translation>
+    </message>
+    <message>
+        <source>rise time of a record, times f0</source>
+        <translation>en registrerings stigtid, gånger f0</translation>
+    </message>
+    <message>
+        <source>overshoot of a record, %</source>
+        <translation>en registrerings översväng, %</translation>
+    </message>
+    <message>
+        <source>Parseval: amplitude squared over 2 in one bin of 1 Hz</source>
+        <translation>Parseval: amplituden i kvadrat genom 2 i en linje om 1 Hz</translation>
+    </message>
+    <message>
+        <source>what a symmetric filter must pass</source>
+        <translation>vad ett symmetriskt filter måste släppa igenom</translation>
+    </message>
+    <message>
+        <source>density of a cosine at its bin</source>
+        <translation>en cosinus täthet vid sin linje</translation>
+    </message>
+    <message>
+        <source>second singular value of three shots</source>
+        <translation>tre skotts andra singulärvärde</translation>
+    </message>
+    <message>
+        <source>share explained by the first component, %</source>
+        <translation>andel som den första komponenten förklarar, %</translation>
+    </message>
+    <message>
+        <source>ramp at a tenth of the rate, largest error</source>
+        <translation>ramp vid en tiondel av takten, största felet</translation>
+    </message>
+    <message>
+        <source>gain of the filter at half the new rate</source>
+        <translation>filtrets förstärkning vid halva den nya takten</translation>
+    </message>
+    <message>
+        <source>half of the amplitude, -6 dB</source>
+        <translation>halva amplituden, -6 dB</translation>
+    </message>
+    <message>
+        <source>decaying exponential at a tenth of the rate, error</source>
+        <translation>avklingande exponential vid en tiondel av takten, fel</translation>
+    </message>
+    <message>
+        <source>JCGM 100, by hand</source>
+        <translation>JCGM 100, för hand</translation>
+    </message>
+    <message>
+        <source>table of Student&apos;s t, 10 degrees of freedom</source>
+        <translation>tabell över Students t, 10 frihetsgrader</translation>
+    </message>
+    <message>
+        <source>u of contributions 3 and 4</source>
+        <translation>u för bidragen 3 och 4</translation>
+    </message>
+    <message>
+        <source>effective degrees of freedom (Welch-Satterthwaite)</source>
+        <translation>effektiva frihetsgrader (Welch-Satterthwaite)</translation>
+    </message>
+    <message>
+        <source>coverage factor k for 95 %</source>
+        <translation>täckningsfaktor k för 95 %</translation>
+    </message>
+    <message>
+        <source>U of u = 2 with 10 degrees of freedom</source>
+        <translation>U för u = 2 med 10 frihetsgrader</translation>
+    </message>
+    <message>
+        <source>U where the laboratory states no less than 20</source>
+        <translation>U där laboratoriet inte anger mindre än 20</translation>
+    </message>
+    <message>
+        <source>ILAC-P14, 5.4</source>
+        <translation>ILAC-P14, 5.4</translation>
+    </message>
+    <message>
+        <source>u of contributions with r = 0.5</source>
+        <translation>u för bidrag med r = 0.5</translation>
+    </message>
+    <message>
+        <source>effective degrees of freedom with r = 0.5</source>
+        <translation>effektiva frihetsgrader med r = 0.5</translation>
+    </message>
+    <message>
+        <source>u of a product</source>
+        <translation>u för en produkt</translation>
+    </message>
+    <message>
+        <source>relative u of the thesis&apos;s step</source>
+        <translation>relativt u för avhandlingens steg</translation>
+    </message>
+    <message>
+        <source>published sensitivities, six digits</source>
+        <translation>publicerade känslighetskoefficienter, sex siffror</translation>
+    </message>
+    <message>
+        <source>relative u of a velocity over 0.8 m</source>
+        <translation>relativt u för en hastighet över 0,8 m</translation>
+    </message>
+    <message>
+        <source>u of the distance over the distance, of the time over the time</source>
+        <translation>sträckans u genom sträckan, tidens u genom tiden</translation>
+    </message>
+    <message>
+        <source>PyDynamic 2.5.1, GUM_DFT and DFT2AmpPhase</source>
+        <translation>PyDynamic 2.5.1, GUM_DFT och DFT2AmpPhase</translation>
+    </message>
+    <message>
+        <source>real part of a spectral line</source>
+        <translation>en spektrallinjes realdel</translation>
+    </message>
+    <message>
+        <source>covariance of its real and imaginary part</source>
+        <translation>dess real- och imaginärdels kovarians</translation>
+    </message>
+    <message>
+        <source>variance of its magnitude</source>
+        <translation>dess belopps varians</translation>
+    </message>
+    <message>
+        <source>by hand</source>
+        <translation>för hand</translation>
+    </message>
+    <message>
+        <source>exact moments; four standard deviations of so many draws</source>
+        <translation>exakta moment; fyra standardavvikelser för så många dragningar</translation>
+    </message>
+    <message>
+        <source>E_n of 512 and 509, u = 0.75</source>
+        <translation>E_n för 512 och 509, u = 0.75</translation>
+    </message>
+    <message>
+        <source>smallest fault that is found, u = 0.75</source>
+        <translation>minsta fel som hittas, u = 0.75</translation>
+    </message>
+    <message>
+        <source>contradictions among 3.5 u and 3.7 u</source>
+        <translation>motsägelser bland 3.5 u och 3.7 u</translation>
+    </message>
+    <message>
+        <source>mean difference of two responses, relative</source>
+        <translation>två svars medelskillnad, relativt</translation>
+    </message>
+    <message>
+        <source>u of that difference</source>
+        <translation>den skillnadens u</translation>
+    </message>
+    <message>
+        <source>mean of 20000 draws</source>
+        <translation>medelvärde av 20000 dragningar</translation>
+    </message>
+    <message>
+        <source>standard deviation of 20000 draws</source>
+        <translation>standardavvikelse för 20000 dragningar</translation>
+    </message>
+    <message>
+        <source>sensitivities within U</source>
+        <translation>känsligheter inom U</translation>
+    </message>
+    <message>
+        <source>errors of the sensitivity over u, rms</source>
+        <translation>känslighetens fel genom u, effektivvärde</translation>
+    </message>
+    <message>
+        <source>natural frequencies within U</source>
+        <translation>egenfrekvenser inom U</translation>
+    </message>
+    <message>
+        <source>errors of the natural frequency over u, rms</source>
+        <translation>egenfrekvensens fel genom u, effektivvärde</translation>
+    </message>
+    <message>
+        <source>damping ratios within U</source>
+        <translation>dämpningsförhållanden inom U</translation>
+    </message>
+    <message>
+        <source>errors of the damping ratio over u, rms</source>
+        <translation>dämpningsförhållandets fel genom u, effektivvärde</translation>
+    </message>
+    <message>
+        <source>magnitudes at 20 kHz within U</source>
+        <translation>belopp vid 20 kHz inom U</translation>
+    </message>
+    <message>
+        <source>errors of the magnitude over u, rms</source>
+        <translation>beloppets fel genom u, effektivvärde</translation>
+    </message>
+    <message>
+        <source>binomial bound at 0.1 % for a coverage of 95 %</source>
+        <translation>binomialgräns vid 0,1 % för 95 % täckning</translation>
+    </message>
+    <message>
+        <source>1 where u is right; bounds of so many draws at 0.1 %</source>
+        <translation>1 där u är rätt; gränser för så många dragningar vid 0,1 %</translation>
+    </message>
+    <message>
+        <source>All %1 checks hold: this installation computes what is known.</source>
+        <translation>Alla %1 kontroller stämmer: denna installation beräknar det som är känt.</translation>
+    </message>
+    <message>
+        <source>%1 of %2 checks deviate, the first in the step &quot;%3&quot; (%4: expected %5, found %6); do not calibrate with this installation before it is explained.</source>
+        <translation>%1 av %2 kontroller avviker, den första i steget &quot;%3&quot; (%4: väntat %5, funnet %6); kalibrera inte med denna installation innan det är förklarat.</translation>
+    </message>
+    <message>
+        <source>The coverage study is to have %1 calibrations; it takes 0 to %2.</source>
+        <translation>Täckningsstudien ska ha %1 kalibreringar; den tar 0 till %2.</translation>
+    </message>
+    <message>
+        <source>Date</source>
+        <translation>Datum</translation>
+    </message>
+    <message>
+        <source>Program</source>
+        <translation>Program</translation>
+    </message>
+    <message>
+        <source>Compiler</source>
+        <translation>Kompilator</translation>
+    </message>
+    <message>
+        <source>Processor</source>
+        <translation>Processor</translation>
+    </message>
+    <message>
+        <source>System</source>
+        <translation>System</translation>
+    </message>
+    <message>
+        <source>Coverage study</source>
+        <translation>Täckningsstudie</translation>
+    </message>
+    <message>
+        <source>%1 virtual calibrations</source>
+        <translation>%1 virtuella kalibreringar</translation>
+    </message>
+    <message>
+        <source>The report shows that this installation computes known results within the tolerances stated (ISO/IEC 17025:2017, 7.11.2). It says nothing of the recordings, of the recipe or of the laboratory&apos;s references.</source>
+        <translation>Rapporten visar att denna installation beräknar kända resultat inom de toleranser som anges (ISO/IEC 17025:2017, 7.11.2). Den säger inget om registreringarna, receptet eller laboratoriets referenser.</translation>
+    </message>
+    <message>
+        <source>Library</source>
+        <translation>Bibliotek</translation>
+    </message>
+    <message>
+        <source>Version</source>
+        <translation>Version</translation>
+    </message>
+    <message>
+        <source>Step of the method</source>
+        <translation>Metodens steg</translation>
+    </message>
+    <message>
+        <source>holds</source>
+        <translation>stämmer</translation>
+    </message>
+    <message>
+        <source>deviates</source>
+        <translation>avviker</translation>
+    </message>
+    <message>
+        <source>What</source>
+        <translation>Vad</translation>
+    </message>
+    <message>
+        <source>Known from</source>
+        <translation>Känt ur</translation>
+    </message>
+    <message>
+        <source>Expected</source>
+        <translation>Väntat</translation>
+    </message>
+    <message>
+        <source>Found</source>
+        <translation>Funnet</translation>
+    </message>
+    <message>
+        <source>Tolerance</source>
+        <translation>Tolerans</translation>
+    </message>
+    <message>
+        <source>Change for 1e-12</source>
+        <translation>Ändring för 1e-12</translation>
+    </message>
+    <message>
+        <source>Checks</source>
+        <translation>Kontroller</translation>
+    </message>
+    <message>
+        <source>Self-test of the installation</source>
+        <translation>Självtest av installationen</translation>
+    </message>
+    <message>
+        <source>Methods and libraries</source>
+        <translation>Metoder och bibliotek</translation>
+    </message>
+    <message>
+        <source>The document cannot be drawn: the program found nothing to draw on; start it anew.</source>
+        <translation>Dokumentet kan inte ritas: programmet fann inget att rita på; starta om det.</translation>
+    </message>
+    <message>
+        <source>A check holds where found and expected differ by no more than the tolerance. The last number is how far the result moves when all data change by a part in 10^12: rounding moves it by less than a thousandth of that.</source>
+        <translation>En kontroll stämmer där funnet och väntat inte skiljer sig mer än toleransen. Det sista talet är hur långt resultatet flyttar sig när alla data ändras med en del på 10^12: avrundning flyttar det mindre än en tusendel av det.</translation>
+    </message>
 </context>
 <context>
     <name>dyncal::ArrivalPanel</name>
@@ -9697,6 +10369,10 @@ steget</translation>
     <message>
         <source>Use pro&amp;file of the laboratory...</source>
         <translation>Använd laboratoriets pro&amp;fil...</translation>
+    </message>
+    <message>
+        <source>&amp;Self-test...</source>
+        <translation>&amp;Självtest...</translation>
     </message>
 </context>
 <context>
@@ -11707,6 +12383,101 @@ steget</translation>
     <message>
         <source>Progress</source>
         <translation>Förlopp</translation>
+    </message>
+</context>
+<context>
+    <name>dyncal::SelfTestDialog</name>
+    <message>
+        <source>Checks</source>
+        <translation>Kontroller</translation>
+    </message>
+    <message>
+        <source>Self-test of the installation</source>
+        <translation>Självtest av installationen</translation>
+    </message>
+    <message>
+        <source>Progress of the self-test</source>
+        <translation>Självtestets förlopp</translation>
+    </message>
+    <message>
+        <source>&amp;Test again</source>
+        <translation>&amp;Testa igen</translation>
+    </message>
+    <message>
+        <source>&amp;Save report...</source>
+        <translation>&amp;Spara rapport...</translation>
+    </message>
+    <message>
+        <source>selftest.pdf and selftest.json, into a folder</source>
+        <translation>selftest.pdf och selftest.json, i en mapp</translation>
+    </message>
+    <message>
+        <source>Every step of the method is being compared with what is known of it. This takes some seconds.</source>
+        <translation>Varje steg i metoden jämförs med det som är känt om det. Det tar några sekunder.</translation>
+    </message>
+    <message>
+        <source>The self-test was stopped; nothing is known of this installation.</source>
+        <translation>Självtestet stoppades; inget är känt om denna installation.</translation>
+    </message>
+    <message>
+        <source>&amp;Cancel</source>
+        <translation>&amp;Avbryt</translation>
+    </message>
+    <message>
+        <source>&amp;Close</source>
+        <translation>&amp;Stäng</translation>
+    </message>
+    <message>
+        <source>holds</source>
+        <translation>stämmer</translation>
+    </message>
+    <message>
+        <source>deviates</source>
+        <translation>avviker</translation>
+    </message>
+    <message>
+        <source>Verdict</source>
+        <translation>Utslag</translation>
+    </message>
+    <message>
+        <source>Step</source>
+        <translation>Steg</translation>
+    </message>
+    <message>
+        <source>What</source>
+        <translation>Vad</translation>
+    </message>
+    <message>
+        <source>Expected</source>
+        <translation>Väntat</translation>
+    </message>
+    <message>
+        <source>Found</source>
+        <translation>Funnet</translation>
+    </message>
+    <message>
+        <source>Tolerance</source>
+        <translation>Tolerans</translation>
+    </message>
+    <message>
+        <source>Change for 1e-12</source>
+        <translation>Ändring för 1e-12</translation>
+    </message>
+    <message>
+        <source>Known from</source>
+        <translation>Känt ur</translation>
+    </message>
+    <message>
+        <source>How far the result moves when all data change by a part in 10^12</source>
+        <translation>Hur långt resultatet flyttar sig när alla data ändras med en del på 10^12</translation>
+    </message>
+    <message>
+        <source>Save the report of the self-test into a folder</source>
+        <translation>Spara självtestets rapport i en mapp</translation>
+    </message>
+    <message>
+        <source>Written: %1</source>
+        <translation>Skrivet: %1</translation>
     </message>
 </context>
 </TS>

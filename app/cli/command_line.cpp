@@ -25,7 +25,7 @@ namespace dyncal {
 namespace {
 
 constexpr std::array<std::string_view, 10> kVerbs{"simulate", "info", "import", "check", "run",
-    "batch", "compare", "export", "correct", "recheck"};
+    "batch", "compare", "export", "correct", "recheck", "selftest"};
 /// Files open at once while a recording is read and results are written.
 constexpr int kFilesOfAVerb = 12;
 /// A word that differs by more letters than this is not taken for a misspelt subcommand.
@@ -68,6 +68,7 @@ int parseAndAct(int argc, char **argv)
     addExport(program, action);
     addCorrect(program, action);
     addRecheck(program, action);
+    addSelfTest(program, action);
     try {
         program.parse(argc, argv);
     } catch (const CLI::ParseError &e) {

@@ -7,6 +7,7 @@
 #include "app/base/open_files.h"
 
 #include "core/base/guarded_run.h"
+#include "ui/report/document_pdf.h"
 #include "ui/report/report_drawing.h"
 
 #include <QApplication>
@@ -18,6 +19,7 @@
 #include <array>
 #include <charconv>
 #include <chrono>
+#include <functional>
 #include <optional>
 #include <span>
 #include <string_view>
@@ -49,10 +51,11 @@ constexpr char kAlive = '.';
 constexpr char kFiles = 'F';
 constexpr char kEnd = 'E';
 
-void sendDrawing(const CalibrationResults &results, const Recipe &recipe,
-    const std::string &createdUtc, GuardedOutput &output)
+/// Draws, and calls its argument now and then meanwhile.
+using Drawing = std::function<Result<std::vector<DrawnFile>>(const std::function<void()> &beat)>;
+
+void sendDrawing(const Drawing &draw, GuardedOutput &output)
 {
-    constexpr std::chrono::milliseconds kBeat{200};
     prepareForQt();
     // Neither is what a library prints before it gives up.
     if (const int nowhere = ::open("/dev/null", O_WRONLY); nowhere >= 0)
@@ -61,12 +64,8 @@ void sendDrawing(const CalibrationResults &results, const Recipe &recipe,
     std::array<char, 7> name{"dyncal"};
     std::array<char *, 2> argv{name.data(), nullptr};
     const QApplication application(argc, argv.data());
-    ReportDrawing drawing(results, recipe, createdUtc, ReportParts::CertificateAndPlots);
-    while (!drawing.isDone()) {
-        drawing.draw(kBeat);
-        output.write(std::string_view(&kAlive, 1));
-    }
-    const Result<std::vector<DrawnFile>> drawn = drawing.take();
+    const Result<std::vector<DrawnFile>> drawn
+        = draw([&] { output.write(std::string_view(&kAlive, 1)); });
     if (!drawn)
         return;
     output.write(std::string_view(&kFiles, 1));
@@ -102,38 +101,61 @@ std::optional<std::vector<DrawnFile>> filesIn(std::string_view message)
     return files;
 }
 
-} // namespace
-
-Result<std::vector<DrawnFile>> drawWithoutWindow(
-    const CalibrationResults &results, const Recipe &recipe, const std::string &createdUtc)
+Result<std::vector<DrawnFile>> drawnElsewhere(const Drawing &draw)
 {
     constexpr GuardedLimits kLimits{std::uint64_t(4) << 30U, std::chrono::minutes(2)};
     constexpr int kFilesOfDrawing = 10;
     if (!areFilesLeft(kFilesOfDrawing))
         return tl::unexpected<Error>(tooFewFiles());
     std::string message;
-    const GuardedOutcome outcome = runGuarded(
-        [&](GuardedOutput &output) { sendDrawing(results, recipe, createdUtc, output); },
-        [&](std::span<const std::byte> bytes) {
-            message.append(reinterpret_cast<const char *>(bytes.data()), bytes.size());
-            return true;
-        },
-        kLimits, interruptToken());
+    const GuardedOutcome outcome
+        = runGuarded([&](GuardedOutput &output) { sendDrawing(draw, output); },
+            [&](std::span<const std::byte> bytes) {
+                message.append(reinterpret_cast<const char *>(bytes.data()), bytes.size());
+                return true;
+            },
+            kLimits, interruptToken());
     if (outcome == GuardedOutcome::Stopped)
         return fail(ErrorKind::Cancelled, {DYNCAL_TEXT("core", "Stopped on request."), {}});
     if (outcome == GuardedOutcome::Killed)
         return fail(ErrorKind::Internal,
             {DYNCAL_TEXT("core",
-                 "The certificate and the plots were not drawn because the system or another program ended the helper process that draws them, most likely for want of memory, and nothing was written; close other programs and try again."),
+                 "The documents were not drawn because the system or another program ended the helper process that draws them, most likely for want of memory, and nothing was written; close other programs and try again."),
                 {}});
     std::optional<std::vector<DrawnFile>> files
         = outcome == GuardedOutcome::Finished ? filesIn(message) : std::nullopt;
     if (!files)
         return fail(ErrorKind::Internal,
             {DYNCAL_TEXT("core",
-                 "The certificate and the plots could not be drawn, most likely because there is not enough memory, and nothing was written; close other programs or raise the memory limit."),
+                 "The documents could not be drawn, most likely because there is not enough memory, and nothing was written; close other programs or raise the memory limit."),
                 {}});
     return std::move(*files);
+}
+
+} // namespace
+
+Result<std::vector<DrawnFile>> drawWithoutWindow(
+    const CalibrationResults &results, const Recipe &recipe, const std::string &createdUtc)
+{
+    return drawnElsewhere([&](const std::function<void()> &beat) {
+        constexpr std::chrono::milliseconds kBeat{200};
+        ReportDrawing drawing(results, recipe, createdUtc, ReportParts::CertificateAndPlots);
+        while (!drawing.isDone()) {
+            drawing.draw(kBeat);
+            beat();
+        }
+        return drawing.take();
+    });
+}
+
+Result<std::vector<DrawnFile>> drawWithoutWindow(
+    const CertificateData &document, const std::string &name)
+{
+    return drawnElsewhere([&](const std::function<void()> &) {
+        return documentPdf(document).map([&](const std::string &bytes) {
+            return std::vector<DrawnFile>{{name, bytes}};
+        });
+    });
 }
 
 } // namespace dyncal

@@ -3,6 +3,7 @@
 
 #pragma once
 
+#include "core/certificate/certificate_data.h"
 #include "core/results/run_files.h"
 
 #include <string>
@@ -16,5 +17,9 @@ namespace dyncal {
 /// Only for a program without a QApplication.
 Result<std::vector<DrawnFile>> drawWithoutWindow(
     const CalibrationResults &results, const Recipe &recipe, const std::string &createdUtc);
+
+/// The same of a document of words and tables, as one file of that name.
+Result<std::vector<DrawnFile>> drawWithoutWindow(
+    const CertificateData &document, const std::string &name);
 
 } // namespace dyncal

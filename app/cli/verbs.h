@@ -23,5 +23,6 @@ void addCompare(CLI::App &program, VerbAction &action);
 void addExport(CLI::App &program, VerbAction &action);
 void addCorrect(CLI::App &program, VerbAction &action);
 void addRecheck(CLI::App &program, VerbAction &action);
+void addSelfTest(CLI::App &program, VerbAction &action);
 
 } // namespace dyncal

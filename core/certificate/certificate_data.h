@@ -59,6 +59,7 @@ struct CertificateData
     std::string number; ///< empty = none yet
     Message title;
     bool draft = true; ///< stays so until a certificate can be signed
+    bool isCertificate = true; ///< else a report without a number
     std::vector<CertificateSection> sections;
 
     /// Labels of all fields that are missing, in order.

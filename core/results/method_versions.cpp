@@ -6,24 +6,20 @@
 #include "core/pipeline/stage_table.h"
 
 namespace dyncal {
-namespace {
 
-/// "Monte Carlo" -> "monte_carlo".
-std::string keyOf(std::string name)
+std::string methodKey(std::string name)
 {
     for (char &c : name)
         c = c == ' ' ? '_' : c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
     return name;
 }
 
-} // namespace
-
 MethodVersions methodVersions()
 {
     MethodVersions versions;
     for (int i = 0; i < kStageCount; ++i) {
         const Stage &stage = stageOf(static_cast<StageId>(i));
-        versions[keyOf(stage.name)] = stage.method;
+        versions[methodKey(stage.name)] = stage.method;
     }
     return versions;
 }

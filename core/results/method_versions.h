@@ -14,4 +14,7 @@ using MethodVersions = std::map<std::string, int>;
 
 MethodVersions methodVersions();
 
+/// The name of a stage as results.json has it: "Monte Carlo" -> "monte_carlo".
+std::string methodKey(std::string name);
+
 } // namespace dyncal

@@ -287,7 +287,9 @@ std::vector<FlowBlock> certificateBlocks(const CertificateData &data,
         blocks.push_back(make.heading(inFull(section.title)));
         std::move(body.begin(), body.end(), std::back_inserter(blocks));
     }
-    blocks.push_back(make.text(QCoreApplication::translate("Report", "End of the certificate"),
+    blocks.push_back(make.text(data.isCertificate
+            ? QCoreApplication::translate("Report", "End of the certificate")
+            : QCoreApplication::translate("Report", "End of the report"),
         style.small, style.quiet, 14.0));
     return blocks;
 }

@@ -21,6 +21,16 @@ constexpr double kMargin = 57.0; ///< 15 mm
 constexpr double kHeaderHeight = 30.0;
 constexpr double kFooterHeight = 26.0;
 
+/// "No. 17"; nothing on what is no certificate.
+QString numberOf(const CertificateData &data)
+{
+    if (!data.isCertificate)
+        return {};
+    return QCoreApplication::translate("Report", "No. %1")
+        .arg(data.number.empty() ? QCoreApplication::translate("Report", "no number yet")
+                                 : shownText(data.number));
+}
+
 /// What stands around the text of every page.
 struct FrameTexts
 {
@@ -28,10 +38,7 @@ struct FrameTexts
 
     explicit FrameTexts(const CertificateData &data)
         : title(printed(data.title))
-        , number(
-              QCoreApplication::translate("Report", "No. %1")
-                  .arg(data.number.empty() ? QCoreApplication::translate("Report", "no number yet")
-                                           : shownText(data.number)))
+        , number(numberOf(data))
         , page(QCoreApplication::translate("Report", "page %1 of %2"))
         , computed(
               QCoreApplication::translate("Report", "Computed %1").arg(rawText(data.createdUtc)))

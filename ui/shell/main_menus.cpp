@@ -197,6 +197,7 @@ void MainMenus::addHelpMenu()
     QAction *keys = addAction(menu, "shortcutsAction", tr("&Keyboard and mouse"), {},
         [this] { showShortcuts(m_parts.window); });
     keys->setShortcuts({QKeySequence::HelpContents, QKeySequence("?")});
+    addAction(menu, "selfTestAction", tr("&Self-test..."), {}, m_parts.testInstallation);
     addAction(menu, "aboutAction", tr("&About Dyncal"), {}, [this] { showAbout(&m_parts.window); });
 }
 

@@ -15,6 +15,7 @@
 #include "ui/shell/main_menus.h"
 #include "ui/shell/next_bar.h"
 #include "ui/shell/recovery/work_recovery.h"
+#include "ui/shell/selftest_dialog.h"
 #include "ui/shell/shot_chips.h"
 #include "ui/shell/stage_list.h"
 #include "ui/shell/stage_pages.h"
@@ -82,7 +83,8 @@ MainWindow::MainWindow(Session::Pipeline pipeline, CurrentUtc currentUtc, Prefer
                             {{m_stagesDock, "F5"}, {m_inspectorDock, "F4"}, {m_findingsDock, "F6"}},
                             [this] { resetLayout(); }, [this] { m_files->exportPlots(m_pages); },
                             [this](int row) { showPage(row); },
-                            [this](int by) { showPage(m_stageList->currentRow() + by); }},
+                            [this](int by) { showPage(m_stageList->currentRow() + by); },
+                            [this] { testInstallation(); }},
             this);
     connectSession();
     buildContents();
@@ -429,6 +431,15 @@ void MainWindow::dropEvent(QDropEvent *event)
 {
     event->acceptProposedAction();
     m_files->openDropped(event->mimeData()->urls());
+}
+
+void MainWindow::testInstallation()
+{
+    auto *dialog
+        = new SelfTestDialog(m_currentUtc, m_prompts, m_preferences, m_language.code(), this);
+    dialog->setAttribute(Qt::WA_DeleteOnClose);
+    dialog->open();
+    dialog->start();
 }
 
 } // namespace dyncal

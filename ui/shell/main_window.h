@@ -83,6 +83,7 @@ private:
     void showCaptures();
     void sizeDocks();
     void showInspector();
+    void testInstallation();
 
     PlainTextRule m_plainText; ///< first: before any label is made
     ControlTips m_tips; ///< so for any control
