@@ -6154,14 +6154,6 @@ steget</translation>
         <translation>Minnet räcker inte till detta; stäng andra program eller höj minnesgränsen.</translation>
     </message>
     <message>
-        <source>The certificate and the plots were not drawn because the system or another program ended the helper process that draws them, most likely for want of memory, and nothing was written; close other programs and try again.</source>
-        <translation>Certifikatet och diagrammen ritades inte eftersom systemet eller ett annat program avslutade hjälpprocessen som ritar dem, troligen för att minnet inte räckte, och inget skrevs; stäng andra program och försök igen.</translation>
-    </message>
-    <message>
-        <source>The certificate and the plots could not be drawn, most likely because there is not enough memory, and nothing was written; close other programs or raise the memory limit.</source>
-        <translation>Certifikatet och diagrammen kunde inte ritas, troligen för att minnet inte räcker, och inget skrevs; stäng andra program eller höj minnesgränsen.</translation>
-    </message>
-    <message>
         <source>There is not enough memory to draw the certificate and the plots, and nothing was written; close other programs or raise the memory limit.</source>
         <translation>Minnet räcker inte till att rita certifikatet och diagrammen, och inget skrevs; stäng andra program eller höj minnesgränsen.</translation>
     </message>
@@ -8842,18 +8834,6 @@ steget</translation>
         <source>Remove an entry of the CMC</source>
         <translation>Ta bort en post ur CMC</translation>
     </message>
-    <message>
-        <source>Add this entry</source>
-        <translation>Lägg till posten</translation>
-    </message>
-    <message>
-        <source>Replace the selected entry</source>
-        <translation>Ersätt den valda posten</translation>
-    </message>
-    <message>
-        <source>Remove the selected entry</source>
-        <translation>Ta bort den valda posten</translation>
-    </message>
 </context>
 <context>
     <name>dyncal::CaptureImport</name>
@@ -11401,6 +11381,101 @@ steget</translation>
     </message>
 </context>
 <context>
+    <name>dyncal::SelfTestDialog</name>
+    <message>
+        <source>Checks</source>
+        <translation>Kontroller</translation>
+    </message>
+    <message>
+        <source>Self-test of the installation</source>
+        <translation>Självtest av installationen</translation>
+    </message>
+    <message>
+        <source>Progress of the self-test</source>
+        <translation>Självtestets förlopp</translation>
+    </message>
+    <message>
+        <source>&amp;Test again</source>
+        <translation>&amp;Testa igen</translation>
+    </message>
+    <message>
+        <source>&amp;Save report...</source>
+        <translation>&amp;Spara rapport...</translation>
+    </message>
+    <message>
+        <source>selftest.pdf and selftest.json, into a folder</source>
+        <translation>selftest.pdf och selftest.json, i en mapp</translation>
+    </message>
+    <message>
+        <source>Every step of the method is being compared with what is known of it. This takes some seconds.</source>
+        <translation>Varje steg i metoden jämförs med det som är känt om det. Det tar några sekunder.</translation>
+    </message>
+    <message>
+        <source>The self-test was stopped; nothing is known of this installation.</source>
+        <translation>Självtestet stoppades; inget är känt om denna installation.</translation>
+    </message>
+    <message>
+        <source>&amp;Cancel</source>
+        <translation>&amp;Avbryt</translation>
+    </message>
+    <message>
+        <source>&amp;Close</source>
+        <translation>&amp;Stäng</translation>
+    </message>
+    <message>
+        <source>holds</source>
+        <translation>stämmer</translation>
+    </message>
+    <message>
+        <source>deviates</source>
+        <translation>avviker</translation>
+    </message>
+    <message>
+        <source>Verdict</source>
+        <translation>Utslag</translation>
+    </message>
+    <message>
+        <source>Step</source>
+        <translation>Steg</translation>
+    </message>
+    <message>
+        <source>What</source>
+        <translation>Vad</translation>
+    </message>
+    <message>
+        <source>Expected</source>
+        <translation>Väntat</translation>
+    </message>
+    <message>
+        <source>Found</source>
+        <translation>Funnet</translation>
+    </message>
+    <message>
+        <source>Tolerance</source>
+        <translation>Tolerans</translation>
+    </message>
+    <message>
+        <source>Change for 1e-12</source>
+        <translation>Ändring för 1e-12</translation>
+    </message>
+    <message>
+        <source>Known from</source>
+        <translation>Känt ur</translation>
+    </message>
+    <message>
+        <source>How far the result moves when all data change by a part in 10^12</source>
+        <translation>Hur långt resultatet flyttar sig när alla data ändras med en del på 10^12</translation>
+    </message>
+    <message>
+        <source>Save the report of the self-test into a folder</source>
+        <translation>Spara självtestets rapport i en mapp</translation>
+    </message>
+    <message>
+        <source>Written: %1</source>
+        <translation>Skrivet: %1</translation>
+    </message>
+</context>
+<context>
     <name>dyncal::ShockPage</name>
     <message>
         <source>Reference step</source>
@@ -12383,101 +12458,6 @@ steget</translation>
     <message>
         <source>Progress</source>
         <translation>Förlopp</translation>
-    </message>
-</context>
-<context>
-    <name>dyncal::SelfTestDialog</name>
-    <message>
-        <source>Checks</source>
-        <translation>Kontroller</translation>
-    </message>
-    <message>
-        <source>Self-test of the installation</source>
-        <translation>Självtest av installationen</translation>
-    </message>
-    <message>
-        <source>Progress of the self-test</source>
-        <translation>Självtestets förlopp</translation>
-    </message>
-    <message>
-        <source>&amp;Test again</source>
-        <translation>&amp;Testa igen</translation>
-    </message>
-    <message>
-        <source>&amp;Save report...</source>
-        <translation>&amp;Spara rapport...</translation>
-    </message>
-    <message>
-        <source>selftest.pdf and selftest.json, into a folder</source>
-        <translation>selftest.pdf och selftest.json, i en mapp</translation>
-    </message>
-    <message>
-        <source>Every step of the method is being compared with what is known of it. This takes some seconds.</source>
-        <translation>Varje steg i metoden jämförs med det som är känt om det. Det tar några sekunder.</translation>
-    </message>
-    <message>
-        <source>The self-test was stopped; nothing is known of this installation.</source>
-        <translation>Självtestet stoppades; inget är känt om denna installation.</translation>
-    </message>
-    <message>
-        <source>&amp;Cancel</source>
-        <translation>&amp;Avbryt</translation>
-    </message>
-    <message>
-        <source>&amp;Close</source>
-        <translation>&amp;Stäng</translation>
-    </message>
-    <message>
-        <source>holds</source>
-        <translation>stämmer</translation>
-    </message>
-    <message>
-        <source>deviates</source>
-        <translation>avviker</translation>
-    </message>
-    <message>
-        <source>Verdict</source>
-        <translation>Utslag</translation>
-    </message>
-    <message>
-        <source>Step</source>
-        <translation>Steg</translation>
-    </message>
-    <message>
-        <source>What</source>
-        <translation>Vad</translation>
-    </message>
-    <message>
-        <source>Expected</source>
-        <translation>Väntat</translation>
-    </message>
-    <message>
-        <source>Found</source>
-        <translation>Funnet</translation>
-    </message>
-    <message>
-        <source>Tolerance</source>
-        <translation>Tolerans</translation>
-    </message>
-    <message>
-        <source>Change for 1e-12</source>
-        <translation>Ändring för 1e-12</translation>
-    </message>
-    <message>
-        <source>Known from</source>
-        <translation>Känt ur</translation>
-    </message>
-    <message>
-        <source>How far the result moves when all data change by a part in 10^12</source>
-        <translation>Hur långt resultatet flyttar sig när alla data ändras med en del på 10^12</translation>
-    </message>
-    <message>
-        <source>Save the report of the self-test into a folder</source>
-        <translation>Spara självtestets rapport i en mapp</translation>
-    </message>
-    <message>
-        <source>Written: %1</source>
-        <translation>Skrivet: %1</translation>
     </message>
 </context>
 </TS>
