@@ -13,6 +13,7 @@
 #include "core/results/results_conformity_json.h"
 #include "core/results/results_measurement_json.h"
 #include "core/results/results_model_json.h"
+#include "core/results/results_monte_carlo_json.h"
 #include "core/results/results_response_json.h"
 #include "core/results/results_sensitivity_json.h"
 #include "core/results/results_shock_json.h"
@@ -146,6 +147,7 @@ std::string resultsJson(
     addBands(root, context);
     addCharacteristics(root, context);
     addBudget(root, context);
+    addChainMonteCarlo(root, context);
     addConformity(root, context);
     addFindings(root, context);
     addError(root, outcome);
