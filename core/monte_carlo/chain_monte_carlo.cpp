@@ -116,12 +116,28 @@ bool hasNothing(const TrialPlan &plan)
 
 } // namespace
 
+ValidatedCount ChainMonteCarlo::count() const
+{
+    ValidatedCount all;
+    const auto add = [&](bool isThere, const GumValidation &gum) {
+        all.compared += isThere ? 1 : 0;
+        all.validated += isThere && gum.validated ? 1 : 0;
+    };
+    for (const DrawnValue &one : values)
+        add(true, one.gum);
+    for (const auto *list : {&rows, &rowsAtMarks}) {
+        for (const DrawnRow &row : *list) {
+            add(row.withMagnitude, row.gumMagnitude);
+            add(row.withPhase, row.gumPhase);
+        }
+    }
+    return all;
+}
+
 bool ChainMonteCarlo::isValidated() const
 {
-    const auto isRow = [](const DrawnRow &row) { return row.isValidated(); };
-    return trials > 0
-        && std::ranges::all_of(values, [](const DrawnValue &one) { return one.gum.validated; })
-        && std::ranges::all_of(rows, isRow) && std::ranges::all_of(rowsAtMarks, isRow);
+    const ValidatedCount all = count();
+    return all.compared > 0 && all.validated == all.compared;
 }
 
 const DrawnValue *ChainMonteCarlo::find(const std::string &of) const

@@ -24,6 +24,14 @@ struct DrawnValue
     GumValidation gum;
 };
 
+/// How many values and rows (magnitude and phase each) both propagations have, and for how many
+/// they agree.
+struct ValidatedCount
+{
+    Index compared = 0;
+    Index validated = 0;
+};
+
 /// Monte Carlo of the whole chain (JCGM 101, 102), a second propagation beside that of the budget:
 /// from the same inputs, by the functions themselves. Only ever of the whole number of trials.
 struct ChainMonteCarlo
@@ -39,7 +47,8 @@ struct ChainMonteCarlo
     RefitCheck refits;
     Findings findings; ///< UNC-003
 
-    bool isValidated() const; ///< all values and rows are
+    ValidatedCount count() const;
+    bool isValidated() const; ///< all values and rows are, and there are some
     const DrawnValue *find(const std::string &of) const; ///< null without it
 };
 

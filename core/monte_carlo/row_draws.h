@@ -30,11 +30,6 @@ struct DrawnRow
     /// |S| is not large against its u (above 10 %): magnitude and phase are no longer normal, and
     /// the covariance of the complex value is what tells (JCGM 102).
     bool isBivariate = false;
-
-    bool isValidated() const
-    {
-        return (!withMagnitude || gumMagnitude.validated) && (!withPhase || gumPhase.validated);
-    }
 };
 
 /// `trials`: from 0 on, all of them; what rows share is in them. `response` and `rows` belong
