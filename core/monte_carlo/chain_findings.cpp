@@ -14,6 +14,7 @@ namespace dyncal {
 namespace {
 
 constexpr int kDigitsOfU = 2;
+constexpr const char *kUnknownFront = "front_unknown";
 
 /// A value whose U the two propagations give differently.
 struct DifferentU
@@ -42,6 +43,7 @@ struct DifferentUs
 struct Differences
 {
     DifferentUs tooSmall; ///< by the law of propagation
+    DifferentUs ofFront; ///< the same, where it is a front that nobody stated that makes U
     DifferentUs tooLarge;
     Index compared = 0;
 
@@ -54,9 +56,9 @@ struct Differences
         if (size == 0)
             return;
         const auto words = [&](double U) { return numberText(scale * U, kDigitsOfU) + " " + unit; };
-        (size < 0 ? tooSmall : tooLarge)
-            .add({name, words(drawn.expanded), words(gum.expanded()),
-                drawn.expanded / gum.expanded()});
+        DifferentUs &list = size > 0 ? tooLarge : gum.largest == kUnknownFront ? ofFront : tooSmall;
+        list.add(
+            {name, words(drawn.expanded), words(gum.expanded()), drawn.expanded / gum.expanded()});
     }
 };
 
@@ -79,16 +81,6 @@ void compareRows(const std::vector<DrawnRow> &rows, Differences &differences)
     }
 }
 
-Differences differencesOf(const ChainMonteCarlo &drawn)
-{
-    Differences differences;
-    for (const DrawnValue &one : drawn.values)
-        differences.compare(one.of, 100.0 / std::abs(one.value), "%", one.drawn, one.gum);
-    compareRows(drawn.rows, differences);
-    compareRows(drawn.rowsAtMarks, differences);
-    return differences;
-}
-
 Finding differentFinding(
     const DifferentUs &values, Index compared, Severity severity, const char *text)
 {
@@ -101,22 +93,47 @@ Finding differentFinding(
         .limit = 100.0 * kExpandedDiffers};
 }
 
+Finding tooSmallFinding(const DifferentUs &values, Index compared)
+{
+    return differentFinding(values, compared, Severity::Caution,
+        DYNCAL_TEXT("core",
+            "%1: Monte Carlo gives U = %2, the law of propagation only %3: use Monte Carlo. The law gives too little for %4 of %5 values and rows; their intervals by Monte Carlo are in monte_carlo of results.json."));
+}
+
+Finding ofFrontFinding(const DifferentUs &values, Index compared)
+{
+    Finding finding = differentFinding(values, compared, Severity::Info,
+        DYNCAL_TEXT("core",
+            "%1: Monte Carlo gives U = %2, the law of propagation only %3, for a front of any duration up to 100 ns; it is so for %4 of %5 values and rows. Nobody has stated how long the front lasts: state shock.front_duration_s, or take these intervals from monte_carlo of results.json."));
+    finding.causes = {FindingCause::Front};
+    return finding;
+}
+
+Finding tooLargeFinding(const DifferentUs &values, Index compared)
+{
+    return differentFinding(values, compared, Severity::Info,
+        DYNCAL_TEXT("core",
+            "%1: Monte Carlo gives U = %2, the law of propagation %3. The law gives more than is needed for %4 of %5 values and rows: what is stated is safe, Monte Carlo would state less."));
+}
+
 } // namespace
 
-Findings judgeChain(const ChainMonteCarlo &drawn)
+Findings judgeChain(const std::vector<DrawnValue> &values, const std::vector<DrawnRow> &rows,
+    const std::vector<DrawnRow> &rowsAtMarks)
 {
-    const Differences differences = differencesOf(drawn);
+    Differences differences;
+    for (const DrawnValue &one : values)
+        differences.compare(one.of, 100.0 / std::abs(one.value), "%", one.drawn, one.gum);
+    compareRows(rows, differences);
+    compareRows(rowsAtMarks, differences);
     Findings findings;
-    if (differences.tooSmall.count > 0)
-        findings.push_back(differentFinding(differences.tooSmall, differences.compared,
-            Severity::Caution,
-            DYNCAL_TEXT("core",
-                "%1: Monte Carlo gives U = %2, the law of propagation only %3: use Monte Carlo. The law gives too little for %4 of %5 values and rows; their intervals by Monte Carlo are in monte_carlo of results.json.")));
-    if (differences.tooLarge.count > 0)
-        findings.push_back(differentFinding(differences.tooLarge, differences.compared,
-            Severity::Info,
-            DYNCAL_TEXT("core",
-                "%1: Monte Carlo gives U = %2, the law of propagation %3. The law gives more than is needed for %4 of %5 values and rows: what is stated is safe, Monte Carlo would state less.")));
+    const auto tell = [&](const DifferentUs &list, auto make) {
+        if (list.count > 0)
+            findings.push_back(make(list, differences.compared));
+    };
+    tell(differences.tooSmall, tooSmallFinding);
+    tell(differences.ofFront, ofFrontFinding);
+    tell(differences.tooLarge, tooLargeFinding);
     return findings;
 }
 

@@ -173,7 +173,7 @@ Result<ChainMonteCarlo> chainMonteCarlo(const ChainSubject &subject,
     if (!refits)
         return tl::unexpected(refits.error());
     result.refits = std::move(*refits);
-    result.findings = judgeChain(result);
+    result.findings = judgeChain(result.values, result.rows, result.rowsAtMarks);
     return result;
 }
 

@@ -14,16 +14,6 @@
 
 namespace dyncal {
 
-/// One reported value by both propagations.
-struct DrawnValue
-{
-    std::string of; ///< as in `budget` of results.json
-    std::string unit;
-    double value = kUnknown; ///< as reported
-    DrawnQuantity drawn;
-    GumValidation gum;
-};
-
 /// How many values and rows (magnitude and phase each) both propagations have, and for how many
 /// they agree.
 struct ValidatedCount

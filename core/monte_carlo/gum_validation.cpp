@@ -9,6 +9,18 @@
 #include <cmath>
 
 namespace dyncal {
+namespace {
+
+/// The input that is more than half of u^2, or none.
+std::string dominantOf(const std::vector<UncertaintyLine> &lines, double u)
+{
+    for (const UncertaintyLine &line : lines)
+        if (2.0 * line.contribution * line.contribution > u * u)
+            return line.quantity;
+    return {};
+}
+
+} // namespace
 
 GumValidation validateGum(
     double value, double u, double dof, double coverage, const DrawnQuantity &drawn)
@@ -34,7 +46,9 @@ GumValidation validateGum(
     std::vector<UncertaintyLine> lines = reported.lines;
     std::erase_if(lines, [](const UncertaintyLine &line) { return line.quantity == kCapability; });
     const CombinedUncertainty all = combined(lines);
-    return validateGum(reported.value, all.u, all.dof, coverage, drawn);
+    GumValidation gum = validateGum(reported.value, all.u, all.dof, coverage, drawn);
+    gum.largest = dominantOf(lines, all.u);
+    return gum;
 }
 
 int sizeOfGum(const GumValidation &gum, const DrawnQuantity &drawn)

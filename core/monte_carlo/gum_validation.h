@@ -6,6 +6,8 @@
 #include "core/monte_carlo/coverage_interval.h"
 #include "core/uncertainty/reported_value.h"
 
+#include <string>
+
 namespace dyncal {
 
 /// The law of propagation held against the trials (JCGM 101, clause 8).
@@ -18,6 +20,7 @@ struct GumValidation
     double tolerance = kUnknown; ///< half of the last significant digit of u
     double d_low = kUnknown; ///< distance of the lower ends; 8.2
     double d_high = kUnknown;
+    std::string largest; ///< the input that is more than half of the variance; empty: none is
     bool validated = false; ///< neither distance is above it, and no 5 % are between the U
 
     double expanded() const { return k * u; }
@@ -32,6 +35,16 @@ GumValidation validateGum(
 /// The same of a reported value, whose CMC (a decision, not a source) is left out.
 GumValidation validateGum(
     const ReportedValue &reported, double coverage, const DrawnQuantity &drawn);
+
+/// One reported value by both propagations.
+struct DrawnValue
+{
+    std::string of; ///< as in `budget` of results.json
+    std::string unit;
+    double value = kUnknown; ///< as reported
+    DrawnQuantity drawn;
+    GumValidation gum;
+};
 
 /// From what difference of U on the two are told to differ (UNC-003).
 inline constexpr double kExpandedDiffers = 0.05;

@@ -44,6 +44,7 @@ DrawnJson valueJson(const DrawnValue &one)
     record.number("tolerance", one.gum.tolerance, "Not known.");
     record.number("d_low", one.gum.d_low, kUndefined);
     record.number("d_high", one.gum.d_high, kUndefined);
+    record.text("largest_input", one.gum.largest, "None is more than half of the variance.");
     record.set("validated", one.gum.validated);
     return record.take();
 }

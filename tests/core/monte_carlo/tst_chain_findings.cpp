@@ -28,12 +28,9 @@ DrawnValue value(const char *of, double U_drawn, double U_gum, double open = 0.0
     return one;
 }
 
-Findings judged(std::vector<DrawnValue> values)
+Findings judged(const std::vector<DrawnValue> &values)
 {
-    ChainMonteCarlo drawn;
-    drawn.trials = 10000;
-    drawn.values = std::move(values);
-    return judgeChain(drawn);
+    return judgeChain(values, {}, {});
 }
 
 } // namespace
@@ -75,6 +72,23 @@ private slots:
         QVERIFY(english(found[0].message).find("2 of 2 values") != std::string::npos);
     }
 
+    /// A front that nobody stated is told of for what it is.
+    void unknownFront_isANoteWithItsCause()
+    {
+        DrawnValue row = value("minus_3_db_hz", 29.0, 24.0);
+        row.gum.largest = "front_unknown";
+        const Findings found = judged({row, value("rise_time_s", 40.0, 24.0)});
+        QCOMPARE(std::ssize(found), Index(2));
+        QCOMPARE(found[0].severity, Severity::Caution);
+        QVERIFY(english(found[0].message).starts_with("rise_time_s"));
+        QCOMPARE(found[1].severity, Severity::Info);
+        QVERIFY(
+            english(found[1].message).starts_with("minus_3_db_hz: Monte Carlo gives U = 2.9 %"));
+        QVERIFY(found[1].causes == std::vector{FindingCause::Front});
+        row.gum.largest = "noise";
+        QCOMPARE(judged({row})[0].severity, Severity::Caution);
+    }
+
     /// 100 trials do not show 10 %.
     void whatTheTrialsLeaveOpen_isNotTold()
     {
@@ -92,21 +106,19 @@ private slots:
 
     void rows_areToldByTheirFrequency()
     {
-        ChainMonteCarlo drawn;
-        drawn.trials = 10000;
         DrawnRow row;
         row.frequency_Hz = 2.5e6;
         row.withMagnitude = true;
         const DrawnValue one = value("", 300.0, 200.0);
         row.magnitude = one.drawn;
         row.gumMagnitude = one.gum;
-        drawn.rows = {row};
+        const DrawnRow first = row;
         row.withMagnitude = false;
         row.withPhase = true;
         row.phase.expanded = row.phase.leastExpanded = row.phase.mostExpanded = 0.02;
-        row.gumPhase = {0.005, 2.0, -0.01, 0.01};
-        drawn.rowsAtMarks = {row};
-        const Findings found = judgeChain(drawn);
+        row.gumPhase.u = 0.005;
+        row.gumPhase.k = 2.0;
+        const Findings found = judgeChain({}, {first}, {row});
         QCOMPARE(std::ssize(found), Index(1));
         const QString words = QString::fromStdString(english(found[0].message));
         QVERIFY2(words.startsWith("phase at 2500000 Hz: Monte Carlo gives U = 1.1 °"),

@@ -96,6 +96,19 @@ private slots:
         QVERIFY(isNear(gum.u, 5.0) && isNear(gum.k, k) && gum.validated);
     }
 
+    void largestInput_isMoreThanHalfOfTheVariance()
+    {
+        const auto largest = [](double noise, double clock) {
+            ReportedValue reported{"f0_hz", 1000.0, "Hz",
+                {directLine("noise", noise), directLine("clock", -clock), directLine("gain", 1.0)}};
+            combineLines(reported);
+            return validateGum(reported, 0.95, interval(990.0, 1010.0)).largest;
+        };
+        QCOMPARE(largest(3.0, 4.0), std::string("clock"));
+        QCOMPARE(largest(4.0, 3.0), std::string("noise"));
+        QCOMPARE(largest(3.0, 3.0), std::string());
+    }
+
     void size_isToldFromFivePercentOn()
     {
         const auto size = [](double drawn) {

@@ -66,7 +66,7 @@ private slots:
 
     void undefinedTrials_leaveNullsWithTheReason()
     {
-        const Json &one = writtenOf()["monte_carlo"]["quantities"][4];
+        const Json one = writtenOf()["monte_carlo"]["quantities"][4];
         QCOMPARE(one["undefined_trials"].get<int>(), 3);
         for (const char *key : {"mean", "u", "low", "high", "shortest_low", "expanded", "d_low"}) {
             QVERIFY2(one[key].is_null(), key);
