@@ -227,13 +227,17 @@ void describeBands(
         return std::abs(1.0 + (own.amplitudes.array() * jw / (jw - own.poles_rad_s.array())).sum());
     };
     const std::vector<double> grid_Hz = frequencyGrid_Hz(model);
-    std::vector<double> ratios(grid_Hz.size());
-    std::ranges::transform(grid_Hz, ratios.begin(), ratioAt);
+    std::vector<double> ratios; // as far as one of the edges asked for them
+    const auto ratioOf = [&](std::size_t i) {
+        while (ratios.size() <= i)
+            ratios.push_back(ratioAt(grid_Hz[ratios.size()]));
+        return ratios[i];
+    };
     /// Lowest frequency at which `leaves` of the relative magnitude turns positive.
     const auto firstExit
         = [&](const std::function<double(double)> &leaves) -> std::optional<double> {
         for (std::size_t i = 1; i < grid_Hz.size(); ++i) {
-            if (leaves(ratios[i]) > 0.0)
+            if (leaves(ratioOf(i)) > 0.0)
                 return bisect(
                     [&](double f_Hz) { return leaves(ratioAt(f_Hz)); }, grid_Hz[i - 1], grid_Hz[i]);
         }

@@ -169,7 +169,7 @@ Result<ChainMonteCarlo> chainMonteCarlo(const ChainSubject &subject,
     addValues(plan, trials->block, result);
     if (auto rows = addRows(plan, trials->block, control, result); !rows)
         return tl::unexpected(rows.error());
-    auto refits = fullRefits(subject, plan.inputs, fitAgain, seed, control);
+    auto refits = fullRefits(subject, plan.inputs, fitAgain, result.trials, seed, control);
     if (!refits)
         return tl::unexpected(refits.error());
     result.refits = std::move(*refits);

@@ -21,6 +21,7 @@ namespace {
 
 constexpr Index kMostRefits = 50;
 constexpr Index kLeastRefits = 10;
+constexpr Index kTrialsOfOne = 200;
 constexpr Index kMostSamples = 5'000'000;
 constexpr Index kDraws = 1000;
 
@@ -32,9 +33,11 @@ Index samplesOf(const ModelInput &input)
     return std::max<Index>(1, samples);
 }
 
-Index numberOfRefits(const ModelInput &input)
+/// Below kLeastRefits: none.
+Index numberOfRefits(const ModelInput &input, Index trials)
 {
-    return std::clamp(kMostSamples / samplesOf(input), kLeastRefits, kMostRefits);
+    const Index bySamples = std::max(kLeastRefits, kMostSamples / samplesOf(input));
+    return std::min({kMostRefits, bySamples, trials / kTrialsOfOne});
 }
 
 /// Adds noise of the model, which was there long before the record.
@@ -112,11 +115,11 @@ CharacteristicValues valuesOfRefit(const SensorModel &model, ResponseTreatment t
 
 using ManyValues = std::vector<std::optional<CharacteristicValues>>;
 
-ManyValues refitted(const ChainSubject &subject, const FitAgain &fitAgain, std::uint64_t seed,
-    const JobControl &control)
+ManyValues refitted(const ChainSubject &subject, const FitAgain &fitAgain, Index count,
+    std::uint64_t seed, const JobControl &control)
 {
     const RecordMaker records(subject);
-    ManyValues values(static_cast<std::size_t>(numberOfRefits(subject.input)));
+    ManyValues values(static_cast<std::size_t>(count));
     forEachPart(std::ssize(values), true, [&](Index i) {
         if (control.stopRequested())
             return;
@@ -197,11 +200,12 @@ bool RefitCheck::agrees() const
 }
 
 Result<RefitCheck> fullRefits(const ChainSubject &subject, const ChainInputs &inputs,
-    const FitAgain &fitAgain, std::uint64_t seed, const JobControl &control)
+    const FitAgain &fitAgain, Index trials, std::uint64_t seed, const JobControl &control)
 {
-    if (!ModelDraws::canDraw(subject) || !fitAgain)
+    const Index count = numberOfRefits(subject.input, trials);
+    if (!ModelDraws::canDraw(subject) || !fitAgain || count < kLeastRefits)
         return RefitCheck();
-    const ManyValues refits = refitted(subject, fitAgain, seed, control);
+    const ManyValues refits = refitted(subject, fitAgain, count, seed, control);
     const ManyValues draws = drawnByNoise(ModelDraws(subject, inputs), seed, control);
     if (control.stopRequested())
         return fail(ErrorKind::Cancelled, {});

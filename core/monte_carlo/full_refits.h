@@ -41,9 +41,10 @@ struct RefitCheck
 /// that the covariance rests on (Refinement), and fitted again; values of the refits are compared
 /// with those of 1000 draws. Agreement: the variances' ratio times n - 1 lies within chi square of
 /// n - 1, the shift within the normal distribution of u/sqrt(n), each at 0.1 % over the number of
-/// values. At most 50 refits, fewer (at least 10) where the records are long: some 5 million
-/// samples in all. Nothing where ModelDraws::canDraw() is false. Fails when stopped.
+/// values. One refit for 200 trials, at most 50, fewer (at least 10) where the records are long:
+/// some 5 million samples in all. None for fewer than 2000 trials, nor where ModelDraws::canDraw()
+/// is false. Fails when stopped.
 Result<RefitCheck> fullRefits(const ChainSubject &subject, const ChainInputs &inputs,
-    const FitAgain &fitAgain, std::uint64_t seed, const JobControl &control = {});
+    const FitAgain &fitAgain, Index trials, std::uint64_t seed, const JobControl &control = {});
 
 } // namespace dyncal

@@ -152,7 +152,8 @@ DrawnJson sectionJson(const ChainMonteCarlo &drawn)
     if (drawn.refits.refits > 0)
         record.set("refits", refitsJson(drawn.refits));
     else
-        record.missing("refits", "The model was not refined, or there is no step to draw it from.");
+        record.missing(
+            "refits", "Fewer than 2000 trials, or the model was not refined, or there is no step.");
     return record.take();
 }
 

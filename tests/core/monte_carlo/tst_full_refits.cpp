@@ -21,14 +21,15 @@ class TestFullRefits : public QObject
 private:
     std::optional<testing::CalibratedChain> m_chain;
 
-    Result<RefitCheck> check(const ChainSubject &subject, const JobControl &control = {}) const
+    Result<RefitCheck> check(
+        const ChainSubject &subject, const JobControl &control = {}, Index trials = 10000) const
     {
         return fullRefits(
             subject, chainInputs(subject),
             [&](const ModelInput &input, const JobControl &ofRefit) {
                 return m_chain->fitAgain(input, ofRefit);
             },
-            1, control);
+            trials, 1, control);
     }
 
 private slots:
@@ -70,7 +71,7 @@ private slots:
             [&](const ModelInput &, const JobControl &) -> Result<SensorModel> {
                 return fail(ErrorKind::DataBlocked, {"no", {}});
             },
-            1);
+            10000, 1);
         QCOMPARE(none->failed, none->refits);
         QVERIFY(!none->agrees());
     }
@@ -85,6 +86,13 @@ private slots:
         QVERIFY(!ModelDraws::canDraw(subject));
         QCOMPARE(check(subject)->refits, Index(0));
         QVERIFY(!check(subject)->agrees());
+    }
+
+    /// One for 200 trials: few trials are not worth a refit.
+    void number_followsThatOfTheTrials()
+    {
+        QCOMPARE(check(m_chain->subject(), {}, 2000)->refits, Index(10));
+        QCOMPARE(check(m_chain->subject(), {}, 1999)->refits, Index(0));
     }
 
     void stopped_isCancelled()
