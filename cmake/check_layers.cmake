@@ -14,7 +14,7 @@ set(rooms_of_core base base/writing capture
     signal shock reference decomposition
     realization/exponentials realization/input realization/hankel realization/refinement
     realization/nuisance realization/second_order realization/model realization/order
-    model_analysis consistency uncertainty project pipeline certificate results batch correction
+    model_analysis consistency uncertainty monte_carlo project pipeline certificate results batch correction
     recheck synthesis selftest)
 set(rooms_of_ui text session plot/values plot/curves plot/qcp plot/widget report
     stages/frame stages/candidates stages/shock stages/window stages/spectrum stages/model

@@ -148,6 +148,10 @@ wanted U</source>
         <source>U, relative</source>
         <translation>U, relativt</translation>
     </message>
+    <message>
+        <source>Monte Carlo</source>
+        <translation>Monte Carlo</translation>
+    </message>
 </context>
 <context>
     <name>BudgetWords</name>
@@ -8521,6 +8525,38 @@ steget</translation>
         <source>A check holds where found and expected differ by no more than the tolerance. The last number is how far the result moves when all data change by a part in 10^12: rounding moves it by less than a thousandth of that.</source>
         <translation>En kontroll stämmer där funnet och väntat inte skiljer sig mer än toleransen. Det sista talet är hur långt resultatet flyttar sig när alla data ändras med en del på 10^12: avrundning flyttar det mindre än en tusendel av det.</translation>
     </message>
+    <message>
+        <source>The certificate and the plots were not drawn because the system or another program ended the helper process that draws them, most likely for want of memory, and nothing was written; close other programs and try again.</source>
+        <translation>Certifikatet och diagrammen ritades inte eftersom systemet eller ett annat program avslutade hjälpprocessen som ritar dem, troligen för att minnet inte räckte, och inget skrevs; stäng andra program och försök igen.</translation>
+    </message>
+    <message>
+        <source>The certificate and the plots could not be drawn, most likely because there is not enough memory, and nothing was written; close other programs or raise the memory limit.</source>
+        <translation>Certifikatet och diagrammen kunde inte ritas, troligen för att minnet inte räcker, och inget skrevs; stäng andra program eller höj minnesgränsen.</translation>
+    </message>
+    <message>
+        <source>%1 trials: %2 of %3 values and rows</source>
+        <translation>%1 försök: %2 av %3 värden och rader</translation>
+    </message>
+    <message>
+        <source>%1 trials: %2 of %3 values and rows; the draws of the model agree with %4 full refits</source>
+        <translation>%1 försök: %2 av %3 värden och rader; modellens dragningar stämmer med %4 fullständiga nyanpassningar</translation>
+    </message>
+    <message>
+        <source>GUM validated by Monte Carlo (JCGM 101)</source>
+        <translation>GUM validerad med Monte Carlo (JCGM 101)</translation>
+    </message>
+    <message>
+        <source>%1: Monte Carlo gives U = %2, the law of propagation only %3: use Monte Carlo. The law gives too little for %4 of %5 values and rows; their intervals by Monte Carlo are in monte_carlo of results.json.</source>
+        <translation>%1: Monte Carlo ger U = %2, fortplantningslagen bara %3: använd Monte Carlo. Lagen ger för lite för %4 av %5 värden och rader; deras intervall enligt Monte Carlo står i monte_carlo i results.json.</translation>
+    </message>
+    <message>
+        <source>%1: Monte Carlo gives U = %2, the law of propagation %3. The law gives more than is needed for %4 of %5 values and rows: what is stated is safe, Monte Carlo would state less.</source>
+        <translation>%1: Monte Carlo ger U = %2, fortplantningslagen %3. Lagen ger mer än vad som behövs för %4 av %5 värden och rader: det som anges är på den säkra sidan, Monte Carlo skulle ange mindre.</translation>
+    </message>
+    <message>
+        <source>The blocks of trials do not fit together: one begins with trial %1, expected is %2; merge blocks of one calibration, in their order.</source>
+        <translation>Blocken av försök hör inte ihop: ett börjar med försök %1, väntat var %2; slå samman block från en kalibrering, i deras ordning.</translation>
+    </message>
 </context>
 <context>
     <name>dyncal::ArrivalPanel</name>
@@ -8833,6 +8869,18 @@ steget</translation>
     <message>
         <source>Remove an entry of the CMC</source>
         <translation>Ta bort en post ur CMC</translation>
+    </message>
+    <message>
+        <source>Add this entry</source>
+        <translation>Lägg till posten</translation>
+    </message>
+    <message>
+        <source>Replace the selected entry</source>
+        <translation>Ersätt den valda posten</translation>
+    </message>
+    <message>
+        <source>Remove the selected entry</source>
+        <translation>Ta bort den valda posten</translation>
     </message>
 </context>
 <context>
@@ -12458,6 +12506,33 @@ steget</translation>
     <message>
         <source>Progress</source>
         <translation>Förlopp</translation>
+    </message>
+</context>
+<context>
+    <name>DrawnWords</name>
+    <message>
+        <source>validated</source>
+        <translation>validerad</translation>
+    </message>
+    <message>
+        <source>Monte Carlo: none of this value yet.</source>
+        <translation>Monte Carlo: ännu ingen av detta värde.</translation>
+    </message>
+    <message>
+        <source>Monte Carlo, %1 trials: in %2 of them the value does not exist.</source>
+        <translation>Monte Carlo, %1 försök: i %2 av dem finns inte värdet.</translation>
+    </message>
+    <message>
+        <source>Monte Carlo, %1 trials: from %2 to %3, U = %4.</source>
+        <translation>Monte Carlo, %1 försök: från %2 till %3, U = %4.</translation>
+    </message>
+    <message>
+        <source>It validates the law of propagation (U = %1).</source>
+        <translation>Den validerar fortplantningslagen (U = %1).</translation>
+    </message>
+    <message>
+        <source>It does not validate the law of propagation (U = %1).</source>
+        <translation>Den validerar inte fortplantningslagen (U = %1).</translation>
     </message>
 </context>
 </TS>

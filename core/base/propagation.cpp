@@ -3,72 +3,18 @@
 
 #include "core/base/propagation.h"
 
-#include "core/base/correlated_draws.h"
-#include "core/base/distributions.h"
+#include "core/base/input_draws.h"
 #include "core/base/number_text.h"
-#include "core/base/portable_math.h"
 #include "core/base/portable_random.h"
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
-#include <set>
 
 namespace dyncal {
 namespace {
 
 constexpr double kDifferenceShare = 0.1; ///< of u: f is nearly linear there; rounding is negligible
 constexpr Index kBatch = 10000;
-constexpr Index kMostTrials = 1000000;
-constexpr Index kLeastTrials = 100;
-
-/// FNV-1a: the stream's number follows from the quantity's name alone.
-Index streamOf(const std::string &name)
-{
-    std::uint64_t hash = 0xcbf29ce484222325u;
-    for (const char letter : name)
-        hash = (hash ^ static_cast<unsigned char>(letter)) * 0x100000001b3u;
-    return static_cast<Index>(hash >> 1);
-}
-
-/// The value of unit scale (unit variance, except for t) with the probability p below it.
-double unitDraw(const UncertainInput &input, double p)
-{
-    switch (input.distribution) {
-    case Distribution::Rectangular:
-        return std::sqrt(3.0) * (2.0 * p - 1.0);
-    case Distribution::Triangular:
-        return std::sqrt(6.0)
-            * (p < 0.5 ? std::sqrt(2.0 * p) - 1.0 : 1.0 - std::sqrt(2.0 * (1.0 - p)));
-    case Distribution::UShaped: // arcsine
-        return -std::sqrt(2.0) * portableSineCosine(std::numbers::pi * p).cosine;
-    case Distribution::Normal:
-        break;
-    }
-    return studentQuantile(p, input.dof);
-}
-
-Result<void> checkInputs(const std::vector<UncertainInput> &inputs)
-{
-    std::set<std::string> names;
-    for (const UncertainInput &input : inputs) {
-        const bool isUncertain = input.u >= 0.0 && std::isfinite(input.u) && input.dof > 0.0;
-        if (!std::isfinite(input.value) || !isUncertain)
-            return fail(ErrorKind::Usage,
-                Message{
-                    DYNCAL_TEXT("core",
-                        "The quantity %1 = %2 has a standard uncertainty of %3 with %4 degrees of freedom; the first two must be finite, the uncertainty 0 or above, the degrees above 0."),
-                    {input.quantity, numberText(input.value), numberText(input.u),
-                        numberText(input.dof)}});
-        if (!names.insert(input.quantity).second)
-            return fail(ErrorKind::Usage,
-                Message{
-                    DYNCAL_TEXT("core",
-                        "The quantity %1 is there twice in an uncertainty budget; join the two contributions to one."),
-                    {input.quantity}});
-    }
-    return {};
-}
 
 Result<Eigen::VectorXd> finite(Result<Eigen::VectorXd> results)
 {
@@ -157,7 +103,7 @@ private:
         for (std::size_t k = 0; k < m_inputs.size(); ++k) {
             const UncertainInput &input = m_inputs[k];
             double &value = x[static_cast<Index>(k)];
-            value = input.value + (input.u > 0.0 ? input.u * unitDraw(input, value) : 0.0);
+            value = drawnValue(input, value);
         }
     }
 
@@ -178,12 +124,6 @@ private:
     std::vector<RandomStream> m_streams;
     std::vector<std::vector<double>> m_results;
 };
-
-/// Half of the last of `digits` significant digits of u (JCGM 101, 7.9.2).
-double numericalTolerance(double u, int digits)
-{
-    return 0.5 * std::pow(10.0, std::floor(std::log10(u)) - (digits - 1));
-}
 
 /// Whether two batches agree so well that more trials change no significant digit.
 bool isStable(const std::vector<MonteCarloResult> &batches)
@@ -207,23 +147,6 @@ bool isStable(const std::vector<MonteCarloResult> &batches)
         }
     }
     return true;
-}
-
-Result<void> checkSettings(const MonteCarloSettings &settings)
-{
-    if (settings.trials != 0 && (settings.trials < kLeastTrials || settings.trials > kMostTrials))
-        return fail(ErrorKind::Usage,
-            Message{
-                DYNCAL_TEXT("core",
-                    "Monte Carlo with %1 trials; it must be 0 (adaptive) or between %2 and %3."),
-                {std::to_string(settings.trials), std::to_string(kLeastTrials),
-                    std::to_string(kMostTrials)}});
-    if (!(settings.coverage > 0.0 && settings.coverage < 1.0))
-        return fail(ErrorKind::Usage,
-            Message{
-                DYNCAL_TEXT("core", "The coverage probability is %1; it must lie between 0 and 1."),
-                {numberText(settings.coverage)}});
-    return {};
 }
 
 std::vector<VariancePart> partsOf(const std::vector<BudgetLine> &lines, Index result)
@@ -326,7 +249,7 @@ double coverageFactor(double dof, double coverage)
 Result<MonteCarloResult> propagateMonteCarlo(const std::vector<UncertainInput> &inputs,
     const Measurement &measurement, const MonteCarloSettings &settings, const JobControl &control)
 {
-    if (auto checked = checkSettings(settings); !checked)
+    if (auto checked = checkMonteCarlo(settings); !checked)
         return tl::unexpected(checked.error());
     if (auto checked = checkInputs(inputs); !checked)
         return tl::unexpected(checked.error());

@@ -6,6 +6,7 @@
 #include "core/base/constants.h"
 #include "core/base/number_text.h"
 #include "core/base/rounding.h"
+#include "core/certificate/certificate_monte_carlo.h"
 #include "core/certificate/certificate_reference.h"
 #include "core/certificate/certificate_templates.h"
 #include "core/certificate/certificate_traceability.h"
@@ -124,6 +125,8 @@ CertificateSection methodSection(const CalibrationResults &results, const Recipe
     addChoiceOfOrder(results, recipe, section);
     for (CertificateField &field : referenceFields(results))
         section.fields.push_back(std::move(field));
+    if (auto field = monteCarloField(results))
+        section.fields.push_back(std::move(*field));
     return section;
 }
 

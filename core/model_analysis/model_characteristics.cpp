@@ -127,22 +127,34 @@ public:
     {
         if (m_t10 && m_t90)
             result.riseTime_s = *m_t90 - *m_t10;
-        result.settlingTime_s = m_settled;
+        if (m_lastPassage)
+            result.settlingTime_s = crossing(*m_lastPassage);
         result.overshoot_percent = std::max(0.0, 100.0 * (top() - 1.0));
         result.top_s = m_topTime_s;
     }
 
 private:
+    /// Between two points in time the response passes a level.
+    struct Passage
+    {
+        double from_s = 0.0;
+        double to_s = 0.0;
+        double level = 0.0;
+    };
+
+    double crossing(const Passage &passage) const
+    {
+        return bisect(
+            [&](double x) { return m_y.value(x) - passage.level; }, passage.from_s, passage.to_s);
+    }
+
     void step(double t_s, double step_s, double now)
     {
         constexpr double kSettled = 0.05;
-        const auto crossing = [&](double level) {
-            return bisect([&](double x) { return m_y.value(x) - level; }, m_time_s, t_s);
-        };
         if (!m_t10 && now >= 0.1)
-            m_t10 = crossing(0.1);
+            m_t10 = crossing({m_time_s, t_s, 0.1});
         if (!m_t90 && now >= 0.9)
-            m_t90 = crossing(0.9);
+            m_t90 = crossing({m_time_s, t_s, 0.9});
         if (now > m_top) {
             m_top = now;
             m_topTime_s = t_s;
@@ -150,7 +162,7 @@ private:
         }
         if ((std::abs(m_value - 1.0) > kSettled) != (std::abs(now - 1.0) > kSettled)) {
             const double level = std::abs(m_value - 1.0) > kSettled ? m_value : now;
-            m_settled = crossing(level > 1.0 ? 1.0 + kSettled : 1.0 - kSettled);
+            m_lastPassage = {m_time_s, t_s, level > 1.0 ? 1.0 + kSettled : 1.0 - kSettled};
         }
         m_time_s = t_s;
         m_value = now;
@@ -173,7 +185,7 @@ private:
     double m_value;
     std::optional<double> m_t10;
     std::optional<double> m_t90;
-    std::optional<double> m_settled;
+    std::optional<Passage> m_lastPassage; ///< into the settled range or out of it
     double m_top;
     double m_topTime_s = 0.0;
     double m_topStep_s = 0.0;
@@ -215,13 +227,17 @@ void describeBands(
         return std::abs(1.0 + (own.amplitudes.array() * jw / (jw - own.poles_rad_s.array())).sum());
     };
     const std::vector<double> grid_Hz = frequencyGrid_Hz(model);
-    std::vector<double> ratios(grid_Hz.size());
-    std::ranges::transform(grid_Hz, ratios.begin(), ratioAt);
+    std::vector<double> ratios; // as far as one of the edges asked for them
+    const auto ratioOf = [&](std::size_t i) {
+        while (ratios.size() <= i)
+            ratios.push_back(ratioAt(grid_Hz[ratios.size()]));
+        return ratios[i];
+    };
     /// Lowest frequency at which `leaves` of the relative magnitude turns positive.
     const auto firstExit
         = [&](const std::function<double(double)> &leaves) -> std::optional<double> {
         for (std::size_t i = 1; i < grid_Hz.size(); ++i) {
-            if (leaves(ratios[i]) > 0.0)
+            if (leaves(ratioOf(i)) > 0.0)
                 return bisect(
                     [&](double f_Hz) { return leaves(ratioAt(f_Hz)); }, grid_Hz[i - 1], grid_Hz[i]);
         }

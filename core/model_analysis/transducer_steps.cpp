@@ -49,7 +49,7 @@ std::optional<StepUncertainty> uncertaintyOf(const ReferenceRecords &reference,
         gain, {"reference_level_relative", 1.0, uLevel_relative(response)}};
     auto budget = propagateGum(inputs, [=](const Eigen::VectorXd &x) -> Result<Eigen::VectorXd> {
         Eigen::VectorXd all = Eigen::VectorXd::Zero(kStepResults);
-        all[static_cast<Index>(StepResult::Step)] = step_Pa * x[2] / (x[0] * x[1]);
+        all[static_cast<Index>(StepResult::Step)] = stepByTransducer(step_Pa, x);
         return all;
     });
     if (!budget)
@@ -60,6 +60,11 @@ std::optional<StepUncertainty> uncertaintyOf(const ReferenceRecords &reference,
 }
 
 } // namespace
+
+double stepByTransducer(double step_Pa, const Eigen::VectorXd &inputs)
+{
+    return step_Pa * inputs[2] / (inputs[0] * inputs[1]);
+}
 
 ShockConditionsSet stepsByTransducer(const ReferenceRecords &reference,
     const ShockConditionsSet &shock, const std::vector<StatedUncertainty> &stated)

@@ -7,6 +7,8 @@
 #include "core/shock/shock_conditions.h"
 #include "core/shock/step_inputs.h"
 
+#include <Eigen/Core>
+
 #include <vector>
 
 namespace dyncal {
@@ -20,5 +22,8 @@ inline constexpr const char *kReferenceGain = "reference_gain_relative";
 /// (noise) of each. What else is known of a shot is kept from `shock`.
 ShockConditionsSet stepsByTransducer(const ReferenceRecords &reference,
     const ShockConditionsSet &shock, const std::vector<StatedUncertainty> &stated);
+
+/// Such a step with other values of these inputs, in that order, each of which is 1 as found.
+double stepByTransducer(double step_Pa, const Eigen::VectorXd &inputs);
 
 } // namespace dyncal

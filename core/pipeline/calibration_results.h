@@ -29,6 +29,8 @@
 
 namespace dyncal {
 
+struct ChainMonteCarlo; // core/monte_carlo/chain_monte_carlo.h
+
 /// The steps of the method, in the order in which they are computed; stage_table.cpp describes
 /// each, and CalibrationResults below holds what each leaves.
 enum class StageId {
@@ -50,8 +52,9 @@ enum class StageId {
     Comparison, ///< reference transducer and step, compared
     Evidence, ///< what all orders show; no result waits for it
     MonteCarlo, ///< of the pressure step; nothing waits for it
+    ChainMonteCarlo, ///< of everything that is stated; nothing waits for it
 };
-inline constexpr StageId kLastStage = StageId::MonteCarlo;
+inline constexpr StageId kLastStage = StageId::ChainMonteCarlo;
 inline constexpr int kStageCount = static_cast<int>(kLastStage) + 1;
 
 /// Captures after the recipe's import section, with their findings.
@@ -88,6 +91,7 @@ struct CalibrationResults
     std::shared_ptr<const ComparisonResult> comparison;
     std::shared_ptr<const OrderEvidence> evidence; ///< of the decomposition, not of one order
     std::shared_ptr<const StepMonteCarloSet> monteCarlo;
+    std::shared_ptr<const ChainMonteCarlo> chainMonteCarlo;
     std::array<std::string, kStageCount> keys; ///< hash of what each result was computed from
 };
 

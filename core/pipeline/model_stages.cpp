@@ -83,4 +83,19 @@ UncertaintyReport uncertaintyOfResponse(
     return report;
 }
 
+Result<ChainMonteCarlo> drawnChain(
+    const CalibrationResults &results, const Recipe &recipe, const JobControl &control)
+{
+    const ShockConditionsSet steps = stepsUsed(*results.reference, *results.shock, recipe.response);
+    const auto stated = uncertaintyRequest(recipe.uncertainty).stated;
+    const SpectrumResult spectrum = sensorSpectrum(results, recipe);
+    const FitAgain fitAgain = [&](const ModelInput &input, const JobControl &ofRefit) {
+        return fitModel(input, results.decomposition->hankel, results.model->order,
+            recipe.realization, spectrum, ofRefit);
+    };
+    return chainMonteCarlo({*results.input, *results.model, *results.assessment, *results.response,
+                               steps, *results.uncertainty, stated},
+        recipe.uncertainty, fitAgain, control);
+}
+
 } // namespace dyncal

@@ -5,6 +5,7 @@
 
 #include "core/base/progress.h"
 #include "core/base/result.h"
+#include "core/monte_carlo/chain_monte_carlo.h"
 #include "core/pipeline/calibration_results.h"
 #include "core/project/recipe.h"
 
@@ -21,6 +22,10 @@ Result<ResponseResult> responseStage(const CalibrationResults &results, const Re
 
 UncertaintyReport uncertaintyOfResponse(
     const CalibrationResults &results, const Recipe &recipe, const ResponseResult &response);
+
+/// Second propagation of what uncertaintyOfResponse() has reported.
+Result<ChainMonteCarlo> drawnChain(
+    const CalibrationResults &results, const Recipe &recipe, const JobControl &control);
 
 /// The order a run takes: the recipe's, or the suggested one.
 Index orderOf(const CalibrationResults &results, const Recipe &recipe);

@@ -269,6 +269,11 @@ Result<StepMonteCarloSet> monteCarlo(const StageInputs &in)
     return stepMonteCarlo(*in.results.shock, in.recipe.uncertainty, in.control);
 }
 
+Result<dyncal::ChainMonteCarlo> chainMonteCarlo(const StageInputs &in)
+{
+    return drawnChain(in.results, in.recipe, in.control);
+}
+
 using enum StageId;
 
 // Evidence serves every order: model and response do not count for it.
@@ -309,6 +314,8 @@ constexpr std::array<Stage, kStageCount> kStages{{
         kept<&R::evidence, evidence>(), ofEvidence},
     {MonteCarlo, "Monte Carlo", 1, 50, "", Shock, Shock, true, readMonteCarlo,
         kept<&R::monteCarlo, monteCarlo>(), of<&R::monteCarlo>},
+    {ChainMonteCarlo, "Monte Carlo of the chain", 1, 2000, "", Uncertainty, Uncertainty, false,
+        readMonteCarlo, kept<&R::chainMonteCarlo, chainMonteCarlo>(), of<&R::chainMonteCarlo>},
 }};
 
 constexpr bool isInOrder()

@@ -13,6 +13,7 @@
 #include "core/results/results_conformity_json.h"
 #include "core/results/results_measurement_json.h"
 #include "core/results/results_model_json.h"
+#include "core/results/results_monte_carlo_json.h"
 #include "core/results/results_reading.h"
 #include "core/results/results_response_json.h"
 #include "core/results/results_sensitivity_json.h"
@@ -145,6 +146,7 @@ std::string resultsJson(
     addBands(root, context);
     addCharacteristics(root, context);
     addBudget(root, context);
+    addChainMonteCarlo(root, context);
     addConformity(root, context);
     addFindings(root, context);
     addError(root, outcome);

@@ -185,8 +185,6 @@ void addBudget(JsonRecord &root, const ResultsContext &context)
                 ? "Every reported value has its lines."
                 : "The lines of the single frequencies are left out, because there are more than 200.");
     }
-    root.missing("gum_validated_by_monte_carlo",
-        "Not evaluated for the frequency response; that of each pressure step is in shock.");
 }
 
 } // namespace dyncal

@@ -18,7 +18,7 @@ void addRowUncertainty(JsonRecord &section, const ResponseResult &response,
 /// Section `characteristics`.
 void addCharacteristics(JsonRecord &root, const ResultsContext &context);
 
-/// Sections `budget` and `gum_validated_by_monte_carlo`.
+/// Section `budget`.
 void addBudget(JsonRecord &root, const ResultsContext &context);
 
 } // namespace dyncal

@@ -3,7 +3,7 @@
 
 // Correlated inputs: against closed forms and against independent inputs that make the correlation.
 
-#include "core/base/correlated_draws.h"
+#include "core/base/input_draws.h"
 #include "core/base/propagation.h"
 #include "core/base/uncertain_value.h"
 #include "tests/support/near.h"

@@ -36,8 +36,9 @@ SimulationSettings settingsFor(const std::string &preset)
     return settings;
 }
 
-PipelineOutcome calibrated(const SimulationSettings &settings, const Recipe &recipe = {})
+PipelineOutcome calibrated(const SimulationSettings &settings, Recipe recipe = {})
 {
+    recipe.uncertainty.monteCarloTrials = 100; // of a defect nothing depends on their number
     ResultCache cache;
     return runPipeline(
         std::make_shared<const CaptureSet>(simulateShots(settings).value().set), recipe, cache);

@@ -46,7 +46,8 @@ CaptureSet captures()
 
 /// The first stage whose key differs; all later ones must differ too, but for the assessment,
 /// which follows the model only, the evidence, which serves all orders and follows the
-/// decomposition only, and the Monte Carlo, which follows the shock. -1 if they do not.
+/// decomposition only, and both Monte Carlos, which follow the shock and the budget. -1 if they do
+/// not.
 int firstMoved(
     const std::array<std::string, kStageCount> &a, const std::array<std::string, kStageCount> &b)
 {
@@ -63,6 +64,8 @@ int firstMoved(
             follows = first == i || first <= at(StageId::Decomposition);
         if (i == at(StageId::MonteCarlo))
             follows = first == i || first <= at(StageId::Shock);
+        if (i == at(StageId::ChainMonteCarlo)) // reads what the other Monte Carlo reads
+            follows = first <= at(StageId::Uncertainty) || first == at(StageId::MonteCarlo);
         if ((a[i] != b[i]) != follows)
             return -1;
     }

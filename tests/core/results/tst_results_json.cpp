@@ -283,7 +283,7 @@ const QHash<QString, QStringList> &contract()
 const QStringList kTopLevel{"schema", "software", "created_utc", "recipe", "kind", "inputs",
     "shots", "shock", "spectrum", "pca", "input", "realization", "model", "response", "bands",
     "characteristics", "budget", "gum_validated_by_monte_carlo", "findings", "sensitivity", "drift",
-    "echo", "checks", "conformity"};
+    "echo", "checks", "conformity", "monte_carlo"};
 
 QJsonObject written(const PipelineOutcome &outcome, const Recipe &recipe = {})
 {

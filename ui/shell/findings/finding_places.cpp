@@ -107,6 +107,7 @@ constexpr std::pair<std::string_view, FindingPlace> kPlaces[]{
     {"RSP-007", {Page::Model, "magnitudePlot"}},
     {"UNC-001", {Page::Uncertainty, "uncertaintyResult"}},
     {"UNC-002", {Page::Uncertainty, "budgetTable"}},
+    {"UNC-003", {Page::Uncertainty, "drawnResult"}},
     {"UNC-004", {Comparison, "knownList"}},
     {"UNC-005", {Comparison, "knownList"}},
     {"PRJ-001", {Captures, "shotTable"}},

@@ -135,18 +135,20 @@ ShownTable budgetLines(
     return table;
 }
 
-ShownTable allValues(const std::vector<Budget> &budgets, const std::vector<Budget> &tried)
+ShownTable allValues(const std::vector<Budget> &budgets, const std::vector<Budget> &tried,
+    const std::vector<DrawnBudget> &drawn)
 {
-    ShownTable table{
-        {BudgetTable::tr("Quantity"), BudgetTable::tr("Value"), BudgetTable::tr("U"),
-            BudgetTable::tr("U, what if"), BudgetTable::tr("k"), BudgetTable::tr("Largest input")},
+    ShownTable table{{BudgetTable::tr("Quantity"), BudgetTable::tr("Value"), BudgetTable::tr("U"),
+                         BudgetTable::tr("U, what if"), BudgetTable::tr("k"),
+                         BudgetTable::tr("Largest input"), BudgetTable::tr("Monte Carlo")},
         {}};
     for (std::size_t i = 0; i < budgets.size(); ++i) {
         const Budget &budget = budgets[i];
         table.rows.push_back({budgetName(budget), valueText(budget), expandedText(budget),
             i < tried.size() ? expandedText(tried[i]) : kNoValue,
             budget.reported.u ? factorText(budget.reported) : kNoValue,
-            largestText(budget.reported)});
+            largestText(budget.reported),
+            i < drawn.size() ? drawnCell(drawn[i], budget) : kNoValue});
     }
     return table;
 }

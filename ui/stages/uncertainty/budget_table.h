@@ -6,6 +6,7 @@
 #include "core/uncertainty/budgets.h"
 #include "core/uncertainty/wanted_u.h"
 #include "ui/stages/frame/shown_table.h"
+#include "ui/stages/uncertainty/drawn_words.h"
 #include "ui/stages/uncertainty/tried_changes.h"
 
 #include <vector>
@@ -23,9 +24,10 @@ inline constexpr int kShareColumn = 3;
 ShownTable budgetLines(
     const Budget &budget, const TriedChanges &tried, const std::optional<WayToU> &way);
 
-/// Every value with its U, as it is and as tried (same order; `tried` may be empty), and the input
-/// that contributes most.
-ShownTable allValues(const std::vector<Budget> &budgets, const std::vector<Budget> &tried);
+/// Every value with its U, as it is, by Monte Carlo and as tried (same order; `drawn` and `tried`
+/// may be empty), and the input that contributes most.
+ShownTable allValues(const std::vector<Budget> &budgets, const std::vector<Budget> &tried,
+    const std::vector<DrawnBudget> &drawn = {});
 
 /// U of a value by the number of shots.
 ShownTable shotsTable(const Budget &budget);

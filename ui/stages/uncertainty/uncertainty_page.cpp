@@ -65,9 +65,11 @@ void UncertaintyPage::buildContent()
 {
     m_result = new QLabel(this);
     m_result->setObjectName("uncertaintyResult");
+    m_drawnResult = new QLabel(this);
+    m_drawnResult->setObjectName("drawnResult");
     m_whatIf = new QLabel(this);
     m_whatIf->setObjectName("whatIfResult");
-    for (QLabel *label : {m_result, m_whatIf}) {
+    for (QLabel *label : {m_result, m_drawnResult, m_whatIf}) {
         label->setWordWrap(true);
         label->setTextInteractionFlags(Qt::TextSelectableByMouse);
         content()->addWidget(label);
@@ -136,6 +138,9 @@ void UncertaintyPage::showResults()
     const auto &report = results().uncertainty;
     const auto &response = results().response;
     m_budgets = report && response ? allBudgets(*report, *response) : std::vector<Budget>();
+    m_drawn = drawnOf(m_budgets,
+        session().isOfThisRun(StageId::ChainMonteCarlo) ? results().chainMonteCarlo.get()
+                                                        : nullptr);
     m_panel->keepThoseOf(m_budgets);
     showQuantities();
     showFrequencies();
@@ -164,7 +169,8 @@ void UncertaintyPage::showBudgets()
 {
     const TriedChanges &tried = m_panel->tried();
     m_tried = tried.appliedTo(m_budgets);
-    const ShownTable all = allValues(m_budgets, tried.isEmpty() ? std::vector<Budget>() : m_tried);
+    const ShownTable all
+        = allValues(m_budgets, tried.isEmpty() ? std::vector<Budget>() : m_tried, m_drawn);
     m_all->setValues(all.headers, all.rows);
     showChosen();
 }
@@ -194,6 +200,7 @@ void UncertaintyPage::showChosen()
         return;
     }
     m_result->setText(resultSentence(m_budgets[*at]));
+    m_drawnResult->setText(drawnSentence(m_drawn[*at], m_budgets[*at]));
     m_whatIf->setText(tr("What if: %1").arg(resultSentence(m_tried[*at])));
     showLines(m_tried[*at]);
 }
@@ -231,7 +238,7 @@ void UncertaintyPage::showPlot()
 
 void UncertaintyPage::showNothing()
 {
-    for (QLabel *label : {m_result, m_wantedNote, m_shotsNote})
+    for (QLabel *label : {m_result, m_drawnResult, m_wantedNote, m_shotsNote})
         label->clear();
     m_lines->setValues({tr("Input")}, {});
     m_shots->setValues({tr("Shots")}, {});

@@ -6,6 +6,7 @@
 #include "core/uncertainty/budgets.h"
 #include "core/uncertainty/wanted_u.h"
 #include "ui/stages/frame/stage_page.h"
+#include "ui/stages/uncertainty/drawn_words.h"
 
 class QComboBox;
 class QTabWidget;
@@ -46,8 +47,10 @@ private:
     std::optional<std::size_t> chosen() const;
 
     std::vector<Budget> m_budgets;
+    std::vector<DrawnBudget> m_drawn; ///< by Monte Carlo, of each of m_budgets
     std::vector<Budget> m_tried; ///< the same with other u; as long as m_budgets
     QLabel *m_result;
+    QLabel *m_drawnResult;
     QLabel *m_whatIf;
     QTabWidget *m_tabs;
     ValueTable *m_lines;

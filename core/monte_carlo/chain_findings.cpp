@@ -1,0 +1,140 @@
+// SPDX-FileCopyrightText: 2026 The Dyncal authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "core/monte_carlo/chain_findings.h"
+
+#include "core/base/number_text.h"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <string>
+
+namespace dyncal {
+namespace {
+
+constexpr int kDigitsOfU = 2;
+constexpr const char *kUnknownFront = "front_unknown";
+
+/// A value whose U the two propagations give differently.
+struct DifferentU
+{
+    std::string name;
+    std::string byTrials;
+    std::string byGum;
+    double ratio = 1.0; ///< of the first to the second
+};
+
+/// Both as words, and the value that differs most, for either direction.
+struct DifferentUs
+{
+    Index count = 0;
+    std::optional<DifferentU> worst;
+
+    void add(DifferentU one)
+    {
+        const auto size = [](const DifferentU &u) { return std::abs(std::log(u.ratio)); };
+        ++count;
+        if (!worst || size(one) > size(*worst))
+            worst = std::move(one);
+    }
+};
+
+struct Differences
+{
+    DifferentUs tooSmall; ///< by the law of propagation
+    DifferentUs ofFront; ///< the same, where it is a front that nobody stated that makes U
+    DifferentUs tooLarge;
+    Index compared = 0;
+
+    /// `scale`, `unit`: what U is told in.
+    void compare(const std::string &name, double scale, const char *unit,
+        const DrawnQuantity &drawn, const GumValidation &gum)
+    {
+        ++compared;
+        const int size = sizeOfGum(gum, drawn);
+        if (size == 0)
+            return;
+        const auto words = [&](double U) { return numberText(scale * U, kDigitsOfU) + " " + unit; };
+        DifferentUs &list = size > 0 ? tooLarge : gum.largest == kUnknownFront ? ofFront : tooSmall;
+        list.add(
+            {name, words(drawn.expanded), words(gum.expanded()), drawn.expanded / gum.expanded()});
+    }
+};
+
+std::string atFrequency(const char *of, double frequency_Hz)
+{
+    return std::string(of) + " at " + numberText(frequency_Hz, 4) + " Hz";
+}
+
+void compareRows(const std::vector<DrawnRow> &rows, Differences &differences)
+{
+    constexpr double kDegrees = 360.0 / kTwoPi;
+    for (const DrawnRow &row : rows) {
+        if (row.withMagnitude)
+            differences.compare(atFrequency("magnitude", row.frequency_Hz),
+                100.0 / std::abs(0.5 * (row.gumMagnitude.low + row.gumMagnitude.high)), "%",
+                row.magnitude, row.gumMagnitude);
+        if (row.withPhase)
+            differences.compare(atFrequency("phase", row.frequency_Hz), kDegrees, "\xC2\xB0",
+                row.phase, row.gumPhase);
+    }
+}
+
+Finding differentFinding(
+    const DifferentUs &values, Index compared, Severity severity, const char *text)
+{
+    return {.id = "UNC-003",
+        .severity = severity,
+        .message = {text,
+            {values.worst->name, values.worst->byTrials, values.worst->byGum,
+                std::to_string(values.count), std::to_string(compared)}},
+        .value = 100.0 * (values.worst->ratio - 1.0),
+        .limit = 100.0 * kExpandedDiffers};
+}
+
+Finding tooSmallFinding(const DifferentUs &values, Index compared)
+{
+    return differentFinding(values, compared, Severity::Caution,
+        DYNCAL_TEXT("core",
+            "%1: Monte Carlo gives U = %2, the law of propagation only %3: use Monte Carlo. The law gives too little for %4 of %5 values and rows; their intervals by Monte Carlo are in monte_carlo of results.json."));
+}
+
+Finding ofFrontFinding(const DifferentUs &values, Index compared)
+{
+    Finding finding = differentFinding(values, compared, Severity::Info,
+        DYNCAL_TEXT("core",
+            "%1: Monte Carlo gives U = %2, the law of propagation only %3, for a front of any duration up to 100 ns; it is so for %4 of %5 values and rows. Nobody has stated how long the front lasts: state shock.front_duration_s, or take these intervals from monte_carlo of results.json."));
+    finding.causes = {FindingCause::Front};
+    return finding;
+}
+
+Finding tooLargeFinding(const DifferentUs &values, Index compared)
+{
+    return differentFinding(values, compared, Severity::Info,
+        DYNCAL_TEXT("core",
+            "%1: Monte Carlo gives U = %2, the law of propagation %3. The law gives more than is needed for %4 of %5 values and rows: what is stated is safe, Monte Carlo would state less."));
+}
+
+} // namespace
+
+Findings judgeChain(const std::vector<DrawnValue> &values, const std::vector<DrawnRow> &rows,
+    const std::vector<DrawnRow> &rowsAtMarks)
+{
+    Differences differences;
+    for (const DrawnValue &one : values)
+        differences.compare(one.of, 100.0 / std::abs(one.value), "%", one.drawn, one.gum);
+    compareRows(rows, differences);
+    compareRows(rowsAtMarks, differences);
+    Findings findings;
+    const auto tell = [&](const DifferentUs &list, auto make) {
+        if (list.count > 0)
+            findings.push_back(make(list, differences.compared));
+    };
+    tell(differences.tooSmall, tooSmallFinding);
+    tell(differences.ofFront, ofFrontFinding);
+    tell(differences.tooLarge, tooLargeFinding);
+    return findings;
+}
+
+} // namespace dyncal
