@@ -1149,6 +1149,33 @@ steget</translation>
     </message>
 </context>
 <context>
+    <name>DrawnWords</name>
+    <message>
+        <source>validated</source>
+        <translation>validerad</translation>
+    </message>
+    <message>
+        <source>Monte Carlo: none of this value yet.</source>
+        <translation>Monte Carlo: ännu ingen av detta värde.</translation>
+    </message>
+    <message>
+        <source>Monte Carlo, %1 trials: in %2 of them the value does not exist.</source>
+        <translation>Monte Carlo, %1 försök: i %2 av dem finns inte värdet.</translation>
+    </message>
+    <message>
+        <source>Monte Carlo, %1 trials: from %2 to %3, U = %4.</source>
+        <translation>Monte Carlo, %1 försök: från %2 till %3, U = %4.</translation>
+    </message>
+    <message>
+        <source>It validates the law of propagation (U = %1).</source>
+        <translation>Den validerar fortplantningslagen (U = %1).</translation>
+    </message>
+    <message>
+        <source>It does not validate the law of propagation (U = %1).</source>
+        <translation>Den validerar inte fortplantningslagen (U = %1).</translation>
+    </message>
+</context>
+<context>
     <name>FindingAnswers</name>
     <message>
         <source>Reason for %1</source>
@@ -8526,14 +8553,6 @@ steget</translation>
         <translation>En kontroll stämmer där funnet och väntat inte skiljer sig mer än toleransen. Det sista talet är hur långt resultatet flyttar sig när alla data ändras med en del på 10^12: avrundning flyttar det mindre än en tusendel av det.</translation>
     </message>
     <message>
-        <source>The certificate and the plots were not drawn because the system or another program ended the helper process that draws them, most likely for want of memory, and nothing was written; close other programs and try again.</source>
-        <translation>Certifikatet och diagrammen ritades inte eftersom systemet eller ett annat program avslutade hjälpprocessen som ritar dem, troligen för att minnet inte räckte, och inget skrevs; stäng andra program och försök igen.</translation>
-    </message>
-    <message>
-        <source>The certificate and the plots could not be drawn, most likely because there is not enough memory, and nothing was written; close other programs or raise the memory limit.</source>
-        <translation>Certifikatet och diagrammen kunde inte ritas, troligen för att minnet inte räcker, och inget skrevs; stäng andra program eller höj minnesgränsen.</translation>
-    </message>
-    <message>
         <source>%1 trials: %2 of %3 values and rows</source>
         <translation>%1 försök: %2 av %3 värden och rader</translation>
     </message>
@@ -8556,6 +8575,10 @@ steget</translation>
     <message>
         <source>The blocks of trials do not fit together: one begins with trial %1, expected is %2; merge blocks of one calibration, in their order.</source>
         <translation>Blocken av försök hör inte ihop: ett börjar med försök %1, väntat var %2; slå samman block från en kalibrering, i deras ordning.</translation>
+    </message>
+    <message>
+        <source>%1: Monte Carlo gives U = %2, the law of propagation only %3, for a front of any duration up to 100 ns; it is so for %4 of %5 values and rows. Nobody has stated how long the front lasts: state shock.front_duration_s, or take these intervals from monte_carlo of results.json.</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -8869,18 +8892,6 @@ steget</translation>
     <message>
         <source>Remove an entry of the CMC</source>
         <translation>Ta bort en post ur CMC</translation>
-    </message>
-    <message>
-        <source>Add this entry</source>
-        <translation>Lägg till posten</translation>
-    </message>
-    <message>
-        <source>Replace the selected entry</source>
-        <translation>Ersätt den valda posten</translation>
-    </message>
-    <message>
-        <source>Remove the selected entry</source>
-        <translation>Ta bort den valda posten</translation>
     </message>
 </context>
 <context>
@@ -12506,33 +12517,6 @@ steget</translation>
     <message>
         <source>Progress</source>
         <translation>Förlopp</translation>
-    </message>
-</context>
-<context>
-    <name>DrawnWords</name>
-    <message>
-        <source>validated</source>
-        <translation>validerad</translation>
-    </message>
-    <message>
-        <source>Monte Carlo: none of this value yet.</source>
-        <translation>Monte Carlo: ännu ingen av detta värde.</translation>
-    </message>
-    <message>
-        <source>Monte Carlo, %1 trials: in %2 of them the value does not exist.</source>
-        <translation>Monte Carlo, %1 försök: i %2 av dem finns inte värdet.</translation>
-    </message>
-    <message>
-        <source>Monte Carlo, %1 trials: from %2 to %3, U = %4.</source>
-        <translation>Monte Carlo, %1 försök: från %2 till %3, U = %4.</translation>
-    </message>
-    <message>
-        <source>It validates the law of propagation (U = %1).</source>
-        <translation>Den validerar fortplantningslagen (U = %1).</translation>
-    </message>
-    <message>
-        <source>It does not validate the law of propagation (U = %1).</source>
-        <translation>Den validerar inte fortplantningslagen (U = %1).</translation>
     </message>
 </context>
 </TS>
