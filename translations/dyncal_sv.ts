@@ -8578,7 +8578,7 @@ steget</translation>
     </message>
     <message>
         <source>%1: Monte Carlo gives U = %2, the law of propagation only %3, for a front of any duration up to 100 ns; it is so for %4 of %5 values and rows. Nobody has stated how long the front lasts: state shock.front_duration_s, or take these intervals from monte_carlo of results.json.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1: Monte Carlo ger U = %2, fortplantningslagen bara %3, för en front av godtycklig varaktighet upp till 100 ns; så är det för %4 av %5 värden och rader. Ingen har angett hur länge fronten varar: ange shock.front_duration_s, eller ta dessa intervall från monte_carlo i results.json.</translation>
     </message>
 </context>
 <context>

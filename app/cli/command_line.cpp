@@ -24,7 +24,7 @@
 namespace dyncal {
 namespace {
 
-constexpr std::array<std::string_view, 10> kVerbs{"simulate", "info", "import", "check", "run",
+constexpr std::array<std::string_view, 11> kVerbs{"simulate", "info", "import", "check", "run",
     "batch", "compare", "export", "correct", "recheck", "selftest"};
 /// Files open at once while a recording is read and results are written.
 constexpr int kFilesOfAVerb = 12;

@@ -306,7 +306,7 @@ constexpr std::array<Stage, kStageCount> kStages{{
         kept<&R::checks, checks>(), of<&R::checks>},
     {Assessment, "model assessment", 2, 10, "", Model, Model, true, readNothing,
         kept<&R::assessment, assessment>(), saidElsewhere},
-    {Uncertainty, "uncertainty", 3, 20, "UNC-", Response, Uncertainty, true, readUncertainty,
+    {Uncertainty, "uncertainty", 4, 20, "UNC-", Response, Uncertainty, true, readUncertainty,
         kept<&R::uncertainty, uncertainty>(), of<&R::uncertainty>},
     {Comparison, "comparison", 1, 5, "CMP-", Uncertainty, Comparison, true, readNothing,
         kept<&R::comparison, comparison>(), of<&R::comparison>},

@@ -173,20 +173,23 @@ void addComparison(Pairs &pairs, const Json &issued, const Json &now)
         {"difference_relative", "u_difference_relative", "", "1"});
 }
 
-bool isOfSensor(const Json &pole)
+/// A pair counts once.
+bool isListedAs(const Json &pole, const std::string &poleClass)
 {
-    return textAt(pole, "class") == "sensor" && numberAt(pole, "im") >= 0.0
+    return textAt(pole, "class") == poleClass && numberAt(pole, "im") >= 0.0
         && numberAt(pole, "frequency_hz") > 0.0;
 }
 
-const Json &nearestPole(const Json &poles, double f_Hz)
+/// The pole of the same class at the nearest frequency; null where there is none.
+const Json &nearestPole(const Json &poles, const Json &like)
 {
+    const double f_Hz = numberAt(like, "frequency_hz");
     static const Json none;
     const Json *nearest = &none;
     double least = std::numeric_limits<double>::infinity();
     for (const Json &pole : poles) {
         const double distance = std::abs(std::log(numberAt(pole, "frequency_hz") / f_Hz));
-        if (isOfSensor(pole) && distance < least) {
+        if (isListedAs(pole, textAt(like, "class")) && distance < least) {
             least = distance;
             nearest = &pole;
         }
@@ -201,17 +204,31 @@ void addBands(Pairs &pairs, const Json &issued, const Json &now)
         addQuantity(pairs, std::string("bands.") + keys.value, {}, issued, now, keys);
 }
 
+std::string atPole(const Json &pole)
+{
+    return "pole at " + numberWithUnit(numberAt(pole, "frequency_hz"), "Hz", kDigitsOfPlace);
+}
+
+/// Earlier results stated amplitudes without u.
+void addAmplitudes(Pairs &pairs, const Json &issued, const Json &now)
+{
+    for (std::size_t i = 0; issued.is_array() && i < issued.size(); ++i)
+        if (const Json &pole = issued[i];
+            isListedAs(pole, textAt(pole, "class")) && pole.contains("u_amplitude"))
+            addQuantity(pairs, placed("model.poles", i) + ".amplitude", atPole(pole), pole,
+                nearestPole(now, pole), {"amplitude", "u_amplitude", "k_amplitude", "1"});
+}
+
 /// What results without characteristics have instead; their u is that of the noise.
 void addPoles(Pairs &pairs, const Json &issued, const Json &now)
 {
     const std::size_t first = pairs.size();
     for (std::size_t i = 0; issued.is_array() && i < issued.size(); ++i) {
-        if (!isOfSensor(issued[i]))
+        if (!isListedAs(issued[i], "sensor"))
             continue;
-        const double f_Hz = numberAt(issued[i], "frequency_hz");
-        const Json &near = nearestPole(now, f_Hz);
+        const Json &near = nearestPole(now, issued[i]);
         const std::string of = placed("model.poles", i);
-        const std::string where = "pole at " + numberWithUnit(f_Hz, "Hz", kDigitsOfPlace);
+        const std::string where = atPole(issued[i]);
         addQuantity(pairs, of + ".frequency_hz", where, issued[i], near,
             {"frequency_hz", "u_frequency_hz", "", "Hz"});
         addQuantity(pairs, of + ".damping_ratio", where, issued[i], near,
@@ -228,11 +245,13 @@ std::vector<QuantityPair> statedQuantities(const Json &issued, const Json &now)
     Pairs pairs;
     const auto both
         = [&](const char *key, auto add) { add(pairs, valueAt(issued, key), valueAt(now, key)); };
+    const Json &poles = valueAt(valueAt(issued, "model"), "poles");
+    const Json &polesNow = valueAt(valueAt(now, "model"), "poles");
     if (valueAt(issued, "characteristics").is_array()) {
         both("characteristics", addCharacteristics);
+        addAmplitudes(pairs, poles, polesNow);
     } else {
-        addPoles(pairs, valueAt(valueAt(issued, "model"), "poles"),
-            valueAt(valueAt(now, "model"), "poles"));
+        addPoles(pairs, poles, polesNow);
         both("bands", addBands);
     }
     both("sensitivity", addSensitivities);

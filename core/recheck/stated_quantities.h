@@ -27,12 +27,12 @@ struct QuantityPair
 };
 
 /// Every quantity that `issued` has a place for a value and an uncertainty of, and characteristics
-/// that only `now` has, in the order of the results: characteristics (of results without them the
-/// poles of the sensor and the bands, which had no u), sensitivity with its levels, linearity and
-/// shots, the shock of each shot, the rows of S(f) and of a comparison, with its
-/// difference from the step. They are matched by name,
-/// level, number of the shot, and frequency (within 1e-9), poles by the nearest frequency. Both are
-/// results.json as parseResults() reads it; what is missing gives no pair.
+/// that only `now` has, in the order of the results: characteristics and the amplitudes of the
+/// poles (of results without them the poles of the sensor and the bands, which had no u),
+/// sensitivity with its levels, linearity and shots, the shock of each shot, the rows of S(f) and
+/// of a comparison, with its difference from the step. They are matched by name, level, number of
+/// the shot, and frequency (within 1e-9), poles by the nearest frequency. Both are results.json as
+/// parseResults() reads it; what is missing gives no pair.
 std::vector<QuantityPair> statedQuantities(const nlohmann::json &issued, const nlohmann::json &now);
 
 } // namespace dyncal

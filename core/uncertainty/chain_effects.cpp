@@ -52,8 +52,9 @@ ChainEffects chainEffects(const std::vector<StatedUncertainty> &stated)
 
 UncertaintyLine frontLine(double frequency_Hz)
 {
-    const double x = std::numbers::pi * frequency_Hz * kUnstatedFront_s;
-    const double g = x > 0.0 ? 1.0 - std::abs(std::sin(std::min(x, std::numbers::pi))) / x : 0.0;
+    constexpr double kNearestToZero = 0.9; // of f T; at 1 the front takes all
+    const double x = std::numbers::pi * std::min(frequency_Hz * kUnstatedFront_s, kNearestToZero);
+    const double g = x > 0.0 ? x / std::sin(x) - 1.0 : 0.0;
     UncertaintyLine line = directLine("front_unknown", g / std::sqrt(5.0));
     line.value = 0.0;
     return line;

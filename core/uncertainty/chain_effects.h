@@ -30,9 +30,11 @@ ChainEffects chainEffects(const std::vector<StatedUncertainty> &stated);
 /// Longest rise of a front that nobody stated: a tilt of half a degree over 5.5 mm.
 inline constexpr double kUnstatedFront_s = 100e-9;
 
-/// "front_unknown": what such a front, anything from 0 to kUnstatedFront_s, takes off |S| at one
-/// frequency, relative: with g = 1 - sinc(f T) at its end, g T^2 over a rectangle of T has the root
-/// mean square g / sqrt(5) about the value that is stated, that of a sharp front.
+/// "front_unknown": by what |S| at one frequency may be larger than stated, relative, because of
+/// such a front, anything from 0 to kUnstatedFront_s: with g = 1/sinc(f T) - 1 at its end, g T^2
+/// over a rectangle of T has the root mean square g / sqrt(5) about the value that is stated, that
+/// of a sharp front. From 0.9/kUnstatedFront_s on it is that of 0.9 (3.6 times the value), where
+/// nothing is known of |S|.
 UncertaintyLine frontLine(double frequency_Hz);
 
 } // namespace dyncal

@@ -13,8 +13,8 @@ FRONT_S = 100e-9  # the longest that nobody states
 
 
 def front_relative(f_Hz):
-    """Taken off by a front that nobody stated, as u."""
-    return (1.0 - np.sinc(min(f_Hz * FRONT_S, 1.0))) / np.sqrt(5.0)
+    """Missing for a front that nobody stated, as u."""
+    return (1.0 / np.sinc(min(f_Hz * FRONT_S, 0.9)) - 1.0) / np.sqrt(5.0)
 
 
 class Row:

@@ -81,6 +81,8 @@ private slots:
         int needed = 0;
         for (const char *section : {"characteristics", "sensitivity", "shots", "shock", "response"})
             needed += countU(realResults()[section]);
+        for (const RealJson &pole : realResults()["model"]["poles"])
+            needed += pole["im"].get<double>() >= 0.0; // the amplitude of each pair
         const auto pairs = statedQuantities(realResults(), realResults());
         const auto withU = std::ranges::count_if(
             pairs, [](const QuantityPair &pair) { return std::isfinite(pair.u); });

@@ -3,6 +3,7 @@
 
 #include "tests/support/test_program.h"
 #include "tests/ui/shell/window_bench.h"
+#include "tests/ui/support/quick_pipeline.h"
 #include "ui/plot/widget/plot_widget.h"
 #include "ui/stages/frame/stage_page.h"
 
@@ -64,7 +65,7 @@ private:
 
 void TestHandles::initTestCase()
 {
-    m_bench = std::make_unique<test::WindowBench>(runPipeline);
+    m_bench = std::make_unique<test::WindowBench>(test::quickPipeline());
     m_bench->window->resize(1400, 900);
     m_bench->window->show();
     m_bench->window->files().setExampleDuration(kDuration_s);

@@ -4,6 +4,7 @@
 #include "tests/support/test_program.h"
 #include "tests/ui/shell/window_bench.h"
 #include "tests/ui/support/in_swedish.h"
+#include "tests/ui/support/quick_pipeline.h"
 #include "tests/ui/support/sample_results.h"
 #include "ui/session/work_state.h"
 #include "ui/shell/findings/findings_panel.h"
@@ -111,7 +112,7 @@ void TestWindowStatus::listAndHeads_agree()
 /// Order 53 of the example has an unstable pole.
 void TestWindowStatus::unstableOrder_blocksTheCertificate()
 {
-    Bench bench(runPipeline);
+    Bench bench(test::quickPipeline());
     bench.window->files().openExample();
     QTRY_VERIFY_WITH_TIMEOUT(bench.window->session().state().hasShots(), kPatience_ms);
     bench.waitComputed();

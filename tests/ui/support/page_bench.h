@@ -3,6 +3,7 @@
 
 #pragma once
 
+#include "tests/ui/support/quick_pipeline.h"
 #include "tests/ui/support/sample_results.h"
 #include "ui/stages/frame/stage_page.h"
 
@@ -17,7 +18,7 @@ namespace dyncal::test {
 // Outside the template below: GCC 12 does not survive the lambdas of these in it.
 inline Session::Pipeline realPipeline()
 {
-    return runPipeline;
+    return quickPipeline();
 }
 inline Session::Pipeline formulaPipeline()
 {

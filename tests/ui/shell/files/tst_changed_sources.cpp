@@ -8,6 +8,7 @@
 #include "tests/support/trial_count.h"
 #include "tests/ui/shell/window_bench.h"
 #include "tests/ui/support/layout_faults.h"
+#include "tests/ui/support/quick_pipeline.h"
 #include "ui/session/example.h"
 #include "ui/session/work_state.h"
 #include "ui/shell/banner/banner.h"
@@ -64,7 +65,7 @@ private:
     void waitForResults();
     void expectSettled();
 
-    test::WindowBench m_bench{runPipeline};
+    test::WindowBench m_bench{test::quickPipeline()};
     std::string m_results; ///< key of the last stage
 };
 

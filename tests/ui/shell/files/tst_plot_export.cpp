@@ -5,6 +5,7 @@
 #include "tests/support/test_program.h"
 #include "tests/ui/shell/window_bench.h"
 #include "tests/ui/support/event_loop_watchdog.h"
+#include "tests/ui/support/quick_pipeline.h"
 #include "ui/session/example.h"
 #include "ui/shell/files/file_actions.h"
 #include "ui/stages/frame/stage_page.h"
@@ -58,7 +59,7 @@ private:
         m_bench.find<QAction>("saveAllPlotsAction")->trigger();
     }
 
-    test::WindowBench m_bench{runPipeline};
+    test::WindowBench m_bench{test::quickPipeline()};
 };
 
 void TestPlotExport::initTestCase()
@@ -116,7 +117,7 @@ void TestPlotExport::allPlots_again_replaceNothing()
 /// The pages are built anew for a language: those that were to be written are gone.
 void TestPlotExport::allPlots_anotherLanguageMeanwhile_ends()
 {
-    test::WindowBench bench{runPipeline};
+    test::WindowBench bench{test::quickPipeline()};
     bench.window->show();
     bench.window->files().openPaths({file("shots.h5")});
     QTRY_VERIFY_WITH_TIMEOUT(

@@ -3,6 +3,7 @@
 
 #pragma once
 
+#include "tests/ui/support/quick_pipeline.h"
 #include "ui/plot/widget/plot_widget.h"
 #include "ui/session/example.h"
 #include "ui/session/order_candidates.h"
@@ -92,7 +93,7 @@ protected:
             std::ranges::count(plot(name)->content().curves, role, &PlotCurve::role));
     }
 
-    Session m_session{runPipeline};
+    Session m_session{quickPipeline()};
     std::unique_ptr<OrderPage> m_page;
     std::unique_ptr<InspectorForm> m_inspector;
 };
