@@ -42,7 +42,8 @@ private slots:
         QVERIFY(effects.ofSensitivity[1].u > 0.0);
     }
 
-    /// The root mean square of 1/sinc(f T) - 1, T drawn from its range, as far as g T^2 describes it.
+    /// The root mean square of 1/sinc(f T) - 1, T drawn from its range, as far as g T^2 describes
+    /// it.
     void unknownFront_isTheMeanSquareOfWhatIsMissing()
     {
         std::mt19937_64 random(5);
