@@ -51,18 +51,19 @@ void ComparisonPage::buildContent()
     m_error = makePlot("comparisonErrorPlot", tr("Eₙ of the two over frequency"));
     shareCursors(CursorAxis::Frequency, {m_magnitude, m_deviation, m_error});
     m_table = new ValueTable("comparisonTable", tr("Step and reference transducer"), this);
-    auto *split = new QSplitter(Qt::Vertical, this);
+    m_all = new QSplitter(Qt::Vertical, this);
     auto *values = new FoldingSplitter(this);
     values->addWidget(m_magnitude);
     values->addWidget(m_deviation);
     values->setSizes({1000, 1000});
-    split->addWidget(values);
-    split->addWidget(m_error);
+    m_all->addWidget(values);
+    m_all->addWidget(m_error);
     m_knownTable = new ValueTable("knownTable", tr("Values of other calibrations"), this);
-    split->addWidget(m_table);
-    split->addWidget(m_knownTable);
-    split->setSizes({1000, 600, 700, 300});
-    content()->addWidget(split, 1);
+    m_all->addWidget(m_table);
+    m_all->addWidget(m_knownTable);
+    m_all->setSizes({1000, 600, 700, 300});
+    content()->addWidget(m_all, 1);
+    content()->addStretch(0); // takes the room where there is nothing to show
 }
 
 void ComparisonPage::buildInspector(Prompts &prompts)
@@ -100,7 +101,8 @@ void ComparisonPage::showTables(const ComparisonResult *comparison)
     const ShownTable known = knownTable(report ? report->known : std::vector<KnownValue>());
     m_knownTable->setValues(known.headers, known.rows);
     m_knownTable->setVisible(!known.rows.empty());
-    m_table->setVisible(!table.rows.empty() || known.rows.empty());
+    m_table->setVisible(!table.rows.empty());
+    m_all->setVisible(!table.rows.empty() || !known.rows.empty());
 }
 
 void ComparisonPage::showPlots(const ComparisonResult *comparison)

@@ -5,6 +5,8 @@
 
 #include "ui/stages/frame/stage_page.h"
 
+class QSplitter;
+
 namespace dyncal {
 
 class KnownPanel;
@@ -40,6 +42,7 @@ private:
     PlotWidget *m_error;
     ValueTable *m_table;
     ValueTable *m_knownTable;
+    QSplitter *m_all; ///< plots and tables
     KnownPanel *m_known;
 };
 

@@ -184,7 +184,7 @@ QString comparisonVerdict(const CalibrationResults &results)
         return knownVerdict(report->known);
     if (!comparison->byTransducer)
         return ComparisonWords::tr(
-            "No comparison is asked for. Where a transducer of known sensitivity was recorded beside the sensor, say what it is, then switch the comparison on.");
+            "Nothing is compared. Where a transducer of known sensitivity was recorded beside the sensor, say what it is, then switch the comparison on. Where another certificate states this sensor's sensitivity, type its value.");
     if (!comparison->againstStep)
         return ComparisonWords::tr(
             "S(f) against the reference transducer stands alone: the pressure step, or one of the two, has no complete uncertainty to compare by.");

@@ -188,7 +188,7 @@ private slots:
 
 void TestComparisonPage::switchingOn_needsAReference()
 {
-    QVERIFY(label("comparisonVerdict").startsWith("No comparison is asked for."));
+    QVERIFY(label("comparisonVerdict").startsWith("Nothing is compared."));
     QCOMPARE(m_bench->page.status(), StageStatus::Done);
     const Recipe before = m_bench->recipe();
     tick(true);

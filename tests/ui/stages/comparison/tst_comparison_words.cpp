@@ -59,7 +59,7 @@ private slots:
 
     void notAskedFor_saysHow()
     {
-        QVERIFY(comparisonVerdict(with({})).startsWith("No comparison is asked for."));
+        QVERIFY(comparisonVerdict(with({})).startsWith("Nothing is compared."));
         QVERIFY(comparisonAdvice(with({})).isEmpty());
     }
 
