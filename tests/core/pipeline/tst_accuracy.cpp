@@ -29,7 +29,9 @@ CalibrationResults calibrate(const SensorSpec &sensor, std::uint64_t seed, const
     settings.seed = seed;
     const auto shots = simulateShots(settings);
     ResultCache cache;
-    return runPipeline(std::make_shared<const CaptureSet>(shots->set), recipe, cache).results;
+    return runPipeline(
+        std::make_shared<const CaptureSet>(shots->set), recipe, cache, StageId::Evidence)
+        .results;
 }
 
 } // namespace
@@ -101,16 +103,16 @@ private slots:
         const auto captures = std::make_shared<const CaptureSet>(simulateShots(settings)->set);
         ResultCache cache;
         Recipe recipe;
-        const auto first = runPipeline(captures, recipe, cache).results;
+        const auto first = runPipeline(captures, recipe, cache, StageId::Evidence).results;
         recipe.realization.order = Index(3);
-        const auto second = runPipeline(captures, recipe, cache).results;
+        const auto second = runPipeline(captures, recipe, cache, StageId::Evidence).results;
         QCOMPARE(second.decomposition, first.decomposition); // the same object
         QVERIFY(second.model != first.model);
         recipe.realization.order = {};
-        const auto third = runPipeline(captures, recipe, cache).results;
+        const auto third = runPipeline(captures, recipe, cache, StageId::Evidence).results;
         QCOMPARE(third.response, first.response);
         recipe.window.end_s = 0.0005;
-        const auto fourth = runPipeline(captures, recipe, cache).results;
+        const auto fourth = runPipeline(captures, recipe, cache, StageId::Evidence).results;
         QCOMPARE(fourth.captures, first.captures);
         QVERIFY(fourth.window != first.window);
     }

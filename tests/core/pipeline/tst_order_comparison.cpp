@@ -35,7 +35,7 @@ const CalibrationResults &calibrated()
 {
     static const CalibrationResults results = [] {
         ResultCache cache;
-        return runPipeline(simulated(), {}, cache).results;
+        return runPipeline(simulated(), {}, cache, StageId::Evidence).results;
     }();
     return results;
 }
@@ -94,7 +94,8 @@ private slots:
             Recipe recipe;
             recipe.realization.order = one.order;
             ResultCache cache;
-            const CalibrationResults run = runPipeline(simulated(), recipe, cache).results;
+            const CalibrationResults run
+                = runPipeline(simulated(), recipe, cache, StageId::Evidence).results;
             QVERIFY(one.model && one.assessment && one.response && !one.error);
             compareModels(one, run);
             QVERIFY(one.response->sensitivity == run.response->sensitivity);

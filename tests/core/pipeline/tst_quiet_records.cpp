@@ -61,7 +61,7 @@ QString compare(double found, double u, double truth, const char *what)
 QString fault(const SensorSpec &sensor, std::shared_ptr<const CaptureSet> captures)
 {
     ResultCache cache;
-    const PipelineOutcome outcome = runPipeline(std::move(captures), {}, cache);
+    const PipelineOutcome outcome = runPipeline(std::move(captures), {}, cache, StageId::Evidence);
     const CalibrationResults &r = outcome.results;
     if (outcome.error)
         return QString::fromStdString(english(outcome.error->message));
@@ -188,7 +188,7 @@ private slots:
         auto mixed = std::make_shared<CaptureSet>(*same);
         mixed->shots[1] = other->shots[1];
         ResultCache cache;
-        const auto results = runPipeline(mixed, {}, cache).results;
+        const auto results = runPipeline(mixed, {}, cache, StageId::Evidence).results;
         QVERIFY(results.assessment && results.assessment->homogeneity);
         QVERIFY(!results.assessment->homogeneity->passed);
     }
@@ -202,7 +202,7 @@ private slots:
         const auto captures = testing::quietCapture(
             sensorOf({{30e3, 0.05, 1.0 - 2e-5}, {60e3, 0.02, 2e-5}}), record);
         ResultCache cache;
-        const auto results = runPipeline(captures, {}, cache).results;
+        const auto results = runPipeline(captures, {}, cache, StageId::Evidence).results;
         QCOMPARE(results.decomposition->suggestion.order, Index(2));
     }
 };

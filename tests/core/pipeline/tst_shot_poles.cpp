@@ -28,8 +28,8 @@ PipelineOutcome calibrated(const std::string &preset, const std::vector<Defect> 
     settings.noise = 0.01;
     settings.defects = defects;
     ResultCache cache;
-    return runPipeline(
-        std::make_shared<const CaptureSet>(simulateShots(settings).value().set), {}, cache);
+    return runPipeline(std::make_shared<const CaptureSet>(simulateShots(settings).value().set), {},
+        cache, StageId::Evidence);
 }
 
 bool isTold(const PipelineOutcome &outcome, const char *id)

@@ -64,8 +64,8 @@ Recipe recipeWithMode()
 CalibrationResults calibrated(const SimulatedCapture &capture, const Recipe &recipe)
 {
     ResultCache cache;
-    PipelineOutcome outcome
-        = runPipeline(std::make_shared<const CaptureSet>(capture.set), recipe, cache);
+    PipelineOutcome outcome = runPipeline(
+        std::make_shared<const CaptureSet>(capture.set), recipe, cache, StageId::Evidence);
     if (outcome.error)
         qWarning("%s", english(outcome.error->message).c_str());
     return outcome.results;
