@@ -143,7 +143,7 @@ const char *markWords(RowMark mark)
     case RowMark::Resonance:
         return DYNCAL_TEXT("core", "resonance %1");
     case RowMark::Known:
-        return DYNCAL_TEXT("core", "another calibration: %1");
+        return DYNCAL_TEXT("core", "compared at %1");
     case RowMark::HighEnd:
         break;
     }
@@ -285,7 +285,7 @@ void addKnown(const UncertaintyReport &report, CertificateSection &section)
     section.tables.push_back(knownValuesTable(report));
     section.notes.push_back(
         {DYNCAL_TEXT("core",
-             "A value of another calibration stands in the table of this one, under its name, only where both agree within their expanded uncertainties (absolute En at most 1); below the band it is compared with the sensitivity at the onset of the step. It is no result of this calibration."),
+             "A value of another calibration stands in the table of this one, under its name, only where both agree within their expanded uncertainties (absolute En at most 1); below the band it is compared with the sensitivity at the onset of the step. It is no result of this calibration; the line \"compared at\" of its frequency is."),
             {}});
 }
 

@@ -8,6 +8,7 @@
 #include "core/monte_carlo/stable_trials.h"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 namespace dyncal {
@@ -114,6 +115,13 @@ bool hasNothing(const TrialPlan &plan)
     return plan.quantities.empty() && plan.subject.response.magnitude.size() == 0;
 }
 
+/// Every U is stated at 95 %: intervals of another coverage say nothing of it.
+bool isOfStatedCoverage(double coverage)
+{
+    constexpr double kStated = 0.95;
+    return std::abs(coverage - kStated) < 1e-9;
+}
+
 } // namespace
 
 ValidatedCount ChainMonteCarlo::count() const
@@ -169,11 +177,16 @@ Result<ChainMonteCarlo> chainMonteCarlo(const ChainSubject &subject,
     addValues(plan, trials->block, result);
     if (auto rows = addRows(plan, trials->block, control, result); !rows)
         return tl::unexpected(rows.error());
+    if (result.count().compared == 0) { // no value has a u, nor a row
+        result.trials = 0;
+        return result;
+    }
     auto refits = fullRefits(subject, plan.inputs, fitAgain, result.trials, seed, control);
     if (!refits)
         return tl::unexpected(refits.error());
     result.refits = std::move(*refits);
-    result.findings = judgeChain(result.values, result.rows, result.rowsAtMarks);
+    if (isOfStatedCoverage(result.coverage))
+        result.findings = judgeChain(result.values, result.rows, result.rowsAtMarks);
     return result;
 }
 

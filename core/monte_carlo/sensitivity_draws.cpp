@@ -88,7 +88,7 @@ double commonStep(const ChainSubject &subject, const ChainInputs &inputs,
     const auto &list = inputs.shots.front().ofStep;
     const auto gain = std::ranges::find_if(
         list, [](const DrawnInput &one) { return one.input.quantity == kReferenceGain; });
-    return gain == list.end() ? 1.0 : 1.0 / gain->value(probabilities);
+    return gain == list.end() ? 1.0 : gain->value(probabilities); // S = S_ref Y/Y_ref of its gain
 }
 
 /// A level that is larger than found makes the relative response smaller.

@@ -32,28 +32,49 @@ Result<void> checkOnce(const CorrelationEntry &entry, const UncertaintySettings 
             {entry.quantity, entry.with}});
 }
 
-Eigen::MatrixXd matrixOf(const UncertaintySettings &settings)
+/// The inputs of that name: a typed velocity is one for each shot.
+std::vector<std::string> inputsOf(const std::string &name, Index velocities)
+{
+    std::vector<std::string> inputs{name};
+    for (Index shot = 2; name == "velocity_m_s" && shot <= velocities; ++shot)
+        inputs.push_back(name + std::to_string(shot));
+    return inputs;
+}
+
+/// Entries between all inputs of the one and all of the other.
+void correlate(const std::vector<Index> &some, const std::vector<Index> &others, double coefficient,
+    Eigen::MatrixXd &matrix)
+{
+    for (const Index a : some)
+        for (const Index b : others)
+            if (a != b)
+                matrix(a, b) = matrix(b, a) = coefficient;
+}
+
+Eigen::MatrixXd matrixOf(const UncertaintySettings &settings, Index velocities)
 {
     std::vector<std::string> names;
-    const auto placeOf = [&names](const std::string &name) {
-        return static_cast<Index>(std::ranges::find(names, name) - names.begin());
+    const auto placesOf = [&](const std::string &name) {
+        std::vector<Index> places;
+        for (const std::string &input : inputsOf(name, velocities)) {
+            if (std::ranges::find(names, input) == names.end())
+                names.push_back(input);
+            places.push_back(std::ranges::find(names, input) - names.begin());
+        }
+        return places;
     };
     for (const CorrelationEntry &entry : settings.correlations)
         for (const std::string &name : {entry.quantity, entry.with})
-            if (std::ranges::find(names, name) == names.end())
-                names.push_back(name);
+            placesOf(name);
     Eigen::MatrixXd matrix = Eigen::MatrixXd::Identity(std::ssize(names), std::ssize(names));
-    for (const CorrelationEntry &entry : settings.correlations) {
-        const Index a = placeOf(entry.quantity), b = placeOf(entry.with);
-        if (a != b)
-            matrix(a, b) = matrix(b, a) = entry.coefficient;
-    }
+    for (const CorrelationEntry &entry : settings.correlations)
+        correlate(placesOf(entry.quantity), placesOf(entry.with), entry.coefficient, matrix);
     return matrix;
 }
 
 } // namespace
 
-Result<void> checkCorrelations(const UncertaintySettings &settings)
+Result<void> checkCorrelations(const UncertaintySettings &settings, Index velocities)
 {
     constexpr double kRounding = 1e-9;
     if (settings.correlations.empty())
@@ -61,9 +82,10 @@ Result<void> checkCorrelations(const UncertaintySettings &settings)
     for (const CorrelationEntry &entry : settings.correlations)
         if (const Result<void> checked = checkOnce(entry, settings); !checked)
             return checked;
-    const double least = Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(matrixOf(settings))
-                             .eigenvalues()
-                             .minCoeff();
+    const double least
+        = Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(matrixOf(settings, velocities))
+              .eigenvalues()
+              .minCoeff();
     if (least >= -kRounding)
         return {};
     return fail(ErrorKind::Usage,

@@ -102,7 +102,9 @@ Result<void> checkTogether(const Recipe &recipe)
         return checked;
     if (const Result<void> checked = checkCapability(recipe.uncertainty.cmc); !checked)
         return checked;
-    if (const Result<void> checked = checkCorrelations(recipe.uncertainty); !checked)
+    if (const Result<void> checked
+        = checkCorrelations(recipe.uncertainty, std::ssize(recipe.shock.velocity_m_s.each));
+        !checked)
         return checked;
     return checkBudget(recipe.uncertainty.budget);
 }

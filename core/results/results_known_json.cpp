@@ -15,7 +15,7 @@ void addValue(JsonRecord &record, const std::string &suffix, const ReportedValue
 {
     record.number("magnitude" + suffix, value.value, why);
     record.number("u_magnitude" + suffix, value.u, why);
-    record.number("k" + suffix, value.u ? std::optional(value.k) : std::nullopt, why);
+    record.number("k" + suffix, value.u ? std::optional(value.factor()) : std::nullopt, why);
 }
 
 void addAgainst(JsonRecord &record, KnownAgainst against, const std::string &why)

@@ -15,7 +15,8 @@ namespace {
 using DrawnJson = JsonRecord::Json;
 
 constexpr const char *kUndefined = "It does not exist in some of the trials, see undefined_trials.";
-constexpr const char *kNothingDrawn = "No value has an uncertainty: there is nothing to draw.";
+constexpr const char *kNothingDrawn
+    = "Nothing was drawn: no value of a step response has an uncertainty, or it is a free decay.";
 constexpr const char *kNoRow = "The row is withheld, or a part of its uncertainty is not known.";
 
 void addDrawn(JsonRecord &record, const DrawnQuantity &drawn)

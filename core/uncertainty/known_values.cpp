@@ -53,6 +53,12 @@ double riseTo(double frequency_Hz, const ResponseResult &response, const FittedM
     return std::abs(gain);
 }
 
+/// What heat takes off is not the sensor's; an AC coupling has no static value.
+bool mayBeAcCoupled(const DriftResult &drift)
+{
+    return drift.kind == DriftKind::AcCoupling || drift.kind == DriftKind::Undetermined;
+}
+
 ReportedValue belowBand(const KnownSensitivity &stated, const ResponseResult &response,
     const ReportedValue &sensitivity, const FittedModel &fitted)
 {
@@ -74,6 +80,13 @@ Message whyNot(const KnownSensitivity &stated, const ReportedValue &other,
     if (other.unit != response.unit)
         return {DYNCAL_TEXT("core", "its unit %1 is none of %2, in which S(f) is"),
             {stated.unit, response.unit}};
+    if (!(other.expanded().value_or(kUnknown) < other.value))
+        return {DYNCAL_TEXT("core", "its expanded uncertainty is not below its value"), {}};
+    if (stated.frequency_Hz < response.fLow_Hz && mayBeAcCoupled(response.drift))
+        return {
+            DYNCAL_TEXT("core",
+                "the response drifts as behind an AC coupling, so below the band it is not known"),
+            {}};
     if (stated.frequency_Hz > response.fHigh_Hz)
         return {DYNCAL_TEXT("core", "%1 is above the band, which ends at %2"),
             {numberWithUnit(stated.frequency_Hz, "Hz", kDigitsOfKnown),

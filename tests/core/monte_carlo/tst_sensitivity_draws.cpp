@@ -184,7 +184,7 @@ private slots:
             gain.common = true;
             shot.ofStep.push_back({gain, two.inputs.sources.add(gain, shot.shot)});
         }
-        QVERIFY(isNear(two.at({1.0, 1.0, 0.0, 0.0, 0.0, 1.0}).common, 1.0 / 1.02));
+        QVERIFY(isNear(two.at({1.0, 1.0, 0.0, 0.0, 0.0, 1.0}).common, 1.02));
     }
 };
 

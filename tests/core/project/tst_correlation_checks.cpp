@@ -47,6 +47,18 @@ private slots:
             != std::string::npos);
     }
 
+    /// One temperature cannot go along with three velocities that know nothing of each other by
+    /// more than 1/sqrt(3) each.
+    void velocitiesOfShots_areIndependent()
+    {
+        const auto with = [](double r, Index velocities) {
+            return checkCorrelations(threeStated({{"velocity_m_s", "t1_k", r}}), velocities)
+                .has_value();
+        };
+        QVERIFY(with(1.0, 1) && with(0.57, 3) && with(-0.57, 3) && with(0.7, 2));
+        QVERIFY(!with(0.58, 3) && !with(-0.58, 3) && !with(1.0, 2) && !with(0.72, 2));
+    }
+
     /// What goes along with t1 cannot go against what goes along with it.
     void contradiction_isRefused()
     {

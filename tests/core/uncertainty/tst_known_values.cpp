@@ -155,6 +155,28 @@ private slots:
         QCOMPARE(told.front().id, std::string("UNC-005"));
     }
 
+    void acCoupled_hasNoStaticValue_heatedHas()
+    {
+        UncertainResponse drifting = calibrated();
+        drifting.response.drift.kind = DriftKind::AcCoupling;
+        const KnownValue found = compared(stated(kS0, 1e-8), drifting);
+        QVERIFY(!found.isCompared());
+        QVERIFY(english(found.missing).find("AC coupling") != std::string::npos);
+        QVERIFY(compared(stated(kS0, 1e-8, 1e4), drifting).isCompared()); // in the band
+        drifting.response.drift.kind = DriftKind::Heat;
+        QVERIFY(compared(stated(kS0, 1e-8), drifting).isJoined());
+    }
+
+    void whatSaysNothing_isNotJoined()
+    {
+        for (const double u : {1e300, kS0, 0.5 * kS0}) {
+            const KnownValue found = compared(stated(kS0, u));
+            QVERIFY(!found.isCompared() && !found.isJoined());
+            QVERIFY(english(found.missing).find("not below") != std::string::npos);
+        }
+        QVERIFY(compared(stated(kS0, 0.4 * kS0)).isJoined());
+    }
+
     void withoutASensitivity_orItsU_nothingIsCompared()
     {
         UncertainResponse none = calibrated();
