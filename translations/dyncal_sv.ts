@@ -482,12 +482,12 @@ steget</translation>
         <translation>%1, från %2 till %3; vid %2: %4 (k = 1).</translation>
     </message>
     <message>
-        <source>No comparison is asked for. Where a transducer of known sensitivity was recorded beside the sensor, say what it is, then switch the comparison on.</source>
-        <translation>Ingen jämförelse är begärd. Om en givare med känd känslighet registrerades bredvid givaren, ange vad den är och slå sedan på jämförelsen.</translation>
-    </message>
-    <message>
         <source>S(f) against the reference transducer stands alone: the pressure step, or one of the two, has no complete uncertainty to compare by.</source>
         <translation>S(f) mot referensgivaren står ensamt: trycksteget, eller ett av de två, har ingen fullständig osäkerhet att jämföra med.</translation>
+    </message>
+    <message>
+        <source>Nothing is compared. Where a transducer of known sensitivity was recorded beside the sensor, say what it is, then switch the comparison on. Where another certificate states this sensor&apos;s sensitivity, type its value.</source>
+        <translation>Inget jämförs. Om en givare med känd känslighet spelades in bredvid sensorn, ange vilken och slå sedan på jämförelsen. Om ett annat bevis anger denna sensors känslighet, skriv in dess värde.</translation>
     </message>
 </context>
 <context>
@@ -7729,14 +7729,6 @@ steget</translation>
         <translation>Namnet är inte giltig UTF-8, så ingen plan kan innehålla det; byt namn.</translation>
     </message>
     <message>
-        <source>another calibration: %1</source>
-        <translation>annan kalibrering: %1</translation>
-    </message>
-    <message>
-        <source>A value of another calibration stands in the table of this one, under its name, only where both agree within their expanded uncertainties (absolute En at most 1); below the band it is compared with the sensitivity at the onset of the step. It is no result of this calibration.</source>
-        <translation>Ett värde från en annan kalibrering står i tabellen för denna, under sitt namn, bara där båda stämmer inom sina utvidgade osäkerheter (absolut En högst 1); under bandet jämförs det med känsligheten vid stegets början. Det är inget resultat av denna kalibrering.</translation>
-    </message>
-    <message>
         <source>static</source>
         <translation>statiskt</translation>
     </message>
@@ -8579,6 +8571,46 @@ steget</translation>
     <message>
         <source>%1: Monte Carlo gives U = %2, the law of propagation only %3, for a front of any duration up to 100 ns; it is so for %4 of %5 values and rows. Nobody has stated how long the front lasts: state shock.front_duration_s, or take these intervals from monte_carlo of results.json.</source>
         <translation>%1: Monte Carlo ger U = %2, fortplantningslagen bara %3, för en front av godtycklig varaktighet upp till 100 ns; så är det för %4 av %5 värden och rader. Ingen har angett hur länge fronten varar: ange shock.front_duration_s, eller ta dessa intervall från monte_carlo i results.json.</translation>
+    </message>
+    <message>
+        <source>compared at %1</source>
+        <translation>jämfört vid %1</translation>
+    </message>
+    <message>
+        <source>A value of another calibration stands in the table of this one, under its name, only where both agree within their expanded uncertainties (absolute En at most 1); below the band it is compared with the sensitivity at the onset of the step. It is no result of this calibration; the line &quot;compared at&quot; of its frequency is.</source>
+        <translation>Ett värde från en annan kalibrering står i tabellen för denna, under sitt namn, bara där båda stämmer inom sina utvidgade osäkerheter (absolut En högst 1); under bandet jämförs det med känsligheten vid stegets början. Det är inget resultat av denna kalibrering; raden &quot;jämfört vid&quot; för dess frekvens är det.</translation>
+    </message>
+    <message>
+        <source>distribution of a sum of four even ones, closed form (JCGM 101, 9.2)</source>
+        <translation>fördelning för en summa av fyra jämna, sluten form (JCGM 101, 9.2)</translation>
+    </message>
+    <message>
+        <source>u of 50000 sums</source>
+        <translation>u för 50000 summor</translation>
+    </message>
+    <message>
+        <source>upper end of their 95 % interval</source>
+        <translation>övre änden av deras 95 %-intervall</translation>
+    </message>
+    <message>
+        <source>half width about 0 that holds 95 %</source>
+        <translation>halv bredd kring 0 som rymmer 95 %</translation>
+    </message>
+    <message>
+        <source>tolerance of u = 0.35, one digit</source>
+        <translation>tolerans för u = 0,35, en siffra</translation>
+    </message>
+    <message>
+        <source>JCGM 101, 7.9.2</source>
+        <translation>JCGM 101, 7.9.2</translation>
+    </message>
+    <message>
+        <source>its expanded uncertainty is not below its value</source>
+        <translation>dess utvidgade osäkerhet är inte mindre än dess värde</translation>
+    </message>
+    <message>
+        <source>the response drifts as behind an AC coupling, so below the band it is not known</source>
+        <translation>svaret driver som bakom en AC-koppling, så under bandet är det inte känt</translation>
     </message>
 </context>
 <context>

@@ -6,9 +6,22 @@
 #include "core/realization/model/pole_classes.h"
 #include "core/results/results_context.h"
 
-#include <algorithm>
+#include <cmath>
 
 namespace dyncal {
+namespace {
+
+bool isSameNumber(double a, double b)
+{
+    return a == b || (std::isnan(a) && std::isnan(b));
+}
+
+bool isSamePlace(const Pole &a, const Pole &b)
+{
+    return isSameNumber(a.z.real(), b.z.real()) && isSameNumber(a.z.imag(), b.z.imag());
+}
+
+} // namespace
 
 JsonRecord::Json poleJson(const Pole &pole)
 {
@@ -32,10 +45,14 @@ std::vector<std::size_t> listedPoles(const std::vector<Pole> &poles)
     std::vector<Pole> sorted = poles;
     sortPoles(sorted);
     std::vector<std::size_t> positions;
-    for (const Pole &pole : sorted) {
-        const auto found = std::ranges::find(poles, pole.z, &Pole::z);
-        positions.push_back(static_cast<std::size_t>(found - poles.begin()));
-    }
+    std::vector<bool> isTaken(poles.size(), false);
+    for (const Pole &pole : sorted)
+        for (std::size_t i = 0; i < poles.size(); ++i)
+            if (!isTaken[i] && isSamePlace(poles[i], pole)) {
+                isTaken[i] = true;
+                positions.push_back(i);
+                break;
+            }
     return positions;
 }
 

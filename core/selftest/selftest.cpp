@@ -7,6 +7,7 @@
 #include "core/selftest/checks_in_noise.h"
 #include "core/selftest/checks_of_correction.h"
 #include "core/selftest/checks_of_division.h"
+#include "core/selftest/checks_of_draws.h"
 #include "core/selftest/checks_of_realization.h"
 #include "core/selftest/checks_of_records.h"
 #include "core/selftest/checks_of_response.h"
@@ -83,7 +84,7 @@ std::vector<CheckSpec> allChecks()
     std::vector<CheckSpec> all;
     for (const auto make : {checksOfRecords, checksOfSignals, checksOfRealization, checksInNoise,
              checksOfShock, checksOfResponse, checksOfDivision, checksOfUncertainty, checksOfWays,
-             checksOfCorrection})
+             checksOfDraws, checksOfCorrection})
         for (CheckSpec &spec : make())
             all.push_back(std::move(spec));
     std::ranges::stable_sort(all, {}, [](const CheckSpec &spec) { return placeOf(spec.step); });

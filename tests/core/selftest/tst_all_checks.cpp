@@ -7,6 +7,7 @@
 #include "core/selftest/checks_in_noise.h"
 #include "core/selftest/checks_of_correction.h"
 #include "core/selftest/checks_of_division.h"
+#include "core/selftest/checks_of_draws.h"
 #include "core/selftest/checks_of_realization.h"
 #include "core/selftest/checks_of_records.h"
 #include "core/selftest/checks_of_response.h"
@@ -79,6 +80,7 @@ private slots:
             {checksOfDivision, {"response", "reference_transducer"}},
             {checksOfUncertainty, {"uncertainty"}},
             {checksOfWays, {"checks", "comparison", "monte_carlo"}},
+            {checksOfDraws, {"monte_carlo_of_the_chain"}},
             {checksOfCorrection, {"correction", "certificate"}},
         };
         std::size_t count = 0;

@@ -89,7 +89,7 @@ private slots:
         const auto list = drawnOf(all, &drawn);
         QCOMPARE(drawnSentence(list[3], all[3]),
             QStringLiteral(
-                "Monte Carlo, 10000 trials: from 19.420 kHz to 20.580 kHz, U = 2.9 %. It does not validate the law of propagation (U = 2.4 %)."));
+                "Monte Carlo, 10000 trials: from 19.42 kHz to 20.58 kHz, U = 2.9 %. It does not validate the law of propagation (U = 2.4 %)."));
         QVERIFY(drawnSentence(list[2], all[2])
                     .contains("It validates the law of propagation (U = 0.2"));
         QCOMPARE(drawnSentence(list[4], all[4]),
