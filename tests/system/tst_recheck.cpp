@@ -153,6 +153,7 @@ void TestRecheck::keptRuns_areComputedAgain_data()
         << "2026-11-24" << 1
         << QStringList{"response.magnitude[0]", "shock[0].velocity_m_s", "shock[1].velocity_m_s"};
     QTest::newRow("one budget for everything") << "2026-11-26" << 0 << QStringList();
+    QTest::newRow("Monte Carlo of the chain") << "2026-11-26-monte-carlo" << 0 << QStringList();
 }
 
 /// Whatever is changed later: these stay readable, and every step that changed since is named.
