@@ -6,7 +6,11 @@
 
 #include <QTest>
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
+#include <random>
+#include <vector>
 
 using namespace dyncal;
 
@@ -23,6 +27,32 @@ private:
         s.psd = Eigen::VectorXd::Ones(bins);
         s.psd[peak] = height;
         return s;
+    }
+
+    /// Each shot's values are among its bins, its largest is kept, and at each frequency one shot
+    /// has exactly that bin.
+    static void verifyKept(const std::vector<PowerSpectrum> &spectra, const SharedSpectrum &shared)
+    {
+        QCOMPARE(shared.psd.size(), spectra.size());
+        std::vector<int> owners(static_cast<std::size_t>(shared.frequency_Hz.size()), 0);
+        for (std::size_t shot = 0; shot < spectra.size(); ++shot) {
+            const PowerSpectrum &whole = spectra[shot];
+            const auto finite = shared.psd[shot].array().isFinite();
+            QCOMPARE(finite.select(shared.psd[shot].array(), 0.0).maxCoeff(),
+                whole.psd.tail(whole.psd.size() - 1).maxCoeff());
+            for (Index i = 0; i < shared.psd[shot].size(); ++i) {
+                if (!std::isfinite(shared.psd[shot][i]))
+                    continue;
+                const auto bin = std::find(whole.psd.begin(), whole.psd.end(), shared.psd[shot][i]);
+                QVERIFY(bin != whole.psd.end());
+                const double f_Hz = whole.frequency_Hz[bin - whole.psd.begin()];
+                owners[static_cast<std::size_t>(i)] += f_Hz == shared.frequency_Hz[i] ? 1 : 0;
+            }
+        }
+        for (Index i = 0; i < shared.frequency_Hz.size(); ++i) {
+            QVERIFY(owners[static_cast<std::size_t>(i)] > 0);
+            QVERIFY(i == 0 || shared.frequency_Hz[i] > shared.frequency_Hz[i - 1]);
+        }
     }
 
 private slots:
@@ -69,6 +99,40 @@ private slots:
         QCOMPARE(shared.frequency_Hz[1], 15.0);
         QVERIFY(std::isnan(shared.psd[0][1]));
         QCOMPARE(shared.psd[1][1], 1.0);
+    }
+
+    /// Whatever the spectra: no value is invented, none moves, no peak is lost, order is no matter.
+    void anySpectra_keepTheirBins()
+    {
+        std::mt19937_64 random(5);
+        std::exponential_distribution<double> power(1.0);
+        for (const Index count : {3, 17, 64, 4096}) {
+            std::vector<PowerSpectrum> spectra;
+            for (const auto &[bins, df] : {std::pair(90, 10.0), {301, 7.0}, {40, 33.0}}) {
+                spectra.push_back(spectrum(bins, df, 1, 1.0));
+                for (double &value : spectra.back().psd)
+                    value = power(random);
+            }
+            const SharedSpectrum shared = sharedSpectrum(spectra, count);
+            QVERIFY(shared.frequency_Hz.size() <= count && shared.frequency_Hz.size() > 0);
+            verifyKept(spectra, shared);
+            std::swap(spectra[0], spectra[2]);
+            const SharedSpectrum turned = sharedSpectrum(spectra, count);
+            QCOMPARE(turned.frequency_Hz, shared.frequency_Hz);
+            verifyKept(spectra, turned);
+        }
+    }
+
+    /// A bin that is no number is none; its neighbours stay.
+    void binsThatAreNoNumber_areLeftOut()
+    {
+        PowerSpectrum broken = spectrum(21, 10.0, 5, 9.0);
+        broken.psd[7] = std::numeric_limits<double>::quiet_NaN();
+        broken.psd[8] = std::numeric_limits<double>::infinity();
+        const SharedSpectrum shared = sharedSpectrum({broken}, 4096);
+        QCOMPARE(shared.frequency_Hz.size(), Index(18));
+        QVERIFY(shared.psd[0].allFinite() && shared.frequency_Hz.allFinite());
+        QCOMPARE(shared.psd[0].maxCoeff(), 9.0);
     }
 
     void nothing_givesNothing()
