@@ -166,6 +166,7 @@ std::vector<KnownValue> compareKnown(const std::vector<KnownSensitivity> &known,
     const ResponseResult &response, const UncertaintyReport &report, const FittedModel &fitted)
 {
     std::vector<KnownValue> compared;
+    compared.reserve(known.size());
     for (const KnownSensitivity &stated : known)
         compared.push_back(comparedOne(stated, response, report, fitted));
     return compared;
