@@ -21,6 +21,9 @@ def stated_values(results):
         values[f"sensitivity.per_level[{i}]"] = one["u"], one["k"], one["dof"]
     for i, one in enumerate(results["shots"] or []):
         values[f"shots[{i}].sensitivity"] = one.get("u_sensitivity"), one.get("k_sensitivity"), "not stated"
+    for i, one in enumerate((results["model"] or {}).get("poles") or []):
+        if one["im"] >= 0.0:  # a pair has one amplitude
+            values[f"model.poles[{i}].amplitude"] = one["u_amplitude"], one["k_amplitude"], "not stated"
     values |= row_values("response", response) | row_values("response.marked", response.get("marked"))
     comparison = results.get("comparison")
     if comparison and response["source"] != "transducer":
