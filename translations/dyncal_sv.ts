@@ -487,7 +487,7 @@ steget</translation>
     </message>
     <message>
         <source>Nothing is compared. Where a transducer of known sensitivity was recorded beside the sensor, say what it is, then switch the comparison on. Where another certificate states this sensor&apos;s sensitivity, type its value.</source>
-        <translation>Inget jämförs. Om en givare med känd känslighet spelades in bredvid sensorn, ange vilken och slå sedan på jämförelsen. Om ett annat bevis anger denna sensors känslighet, skriv in dess värde.</translation>
+        <translation>Inget jämförs. Om en referensgivare med känd känslighet spelades in bredvid givaren, ange vilken och slå sedan på jämförelsen. Om ett annat bevis anger givarens känslighet, skriv in dess värde.</translation>
     </message>
 </context>
 <context>
