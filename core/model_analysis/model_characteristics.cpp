@@ -17,23 +17,11 @@
 namespace dyncal {
 namespace {
 
-/// The sensor's answer to a step of 1, t from the onset: without what drifts slower than it.
-ExponentialSum normalisedSum(const SensorModel &model)
-{
-    if (!model.slowPoles.empty())
-        return model.sensorStep;
-    ExponentialSum sum{1.0, Eigen::VectorXcd(model.amplitudes.size()), model.amplitudes};
-    for (Index i = 0; i < sum.poles_rad_s.size(); ++i)
-        sum.poles_rad_s[i] = model.poles[static_cast<std::size_t>(i)].s_rad_s;
-    sum.amplitudes /= model.plateauGain;
-    return sum;
-}
-
 bool hasStepResponse(const SensorModel &model, ResponseTreatment treatment)
 {
     if (!isStepTreatment(treatment) || model.diverges || model.level() == 0.0)
         return false;
-    const Eigen::VectorXcd poles = normalisedSum(model).poles_rad_s;
+    const Eigen::VectorXcd poles = normalisedStep(model).poles_rad_s;
     return poles.size() > 0 && (poles.array().real() < 0.0).all();
 }
 
@@ -96,8 +84,10 @@ std::vector<TimeGrid> timeGrids(const ExponentialSum &y)
 class StepScan
 {
 public:
-    explicit StepScan(const ExponentialSum &y)
+    /// `settled`: half width of the range about 1 that is settled.
+    StepScan(const ExponentialSum &y, double settled)
         : m_y(y)
+        , m_settled(settled)
         , m_value(y.value(0.0))
         , m_top(m_value)
     {
@@ -107,7 +97,8 @@ public:
             m_t90 = 0.0;
     }
 
-    void follow(const TimeGrid &grid)
+    /// Whether what follows can still change something.
+    bool follow(const TimeGrid &grid)
     {
         ExponentialSum later = m_y;
         later.amplitudes.array() *= (m_y.poles_rad_s.array() * grid.begin_s).exp();
@@ -116,11 +107,15 @@ public:
         const ExponentialSampler sampler(later, step_s);
         Eigen::VectorXd values;
         for (Index k = 1; k <= static_cast<Index>(count); ++k) {
-            if (k == 1 || k % ExponentialSampler::kBlock == 0)
+            const double t_s = grid.begin_s + static_cast<double>(k) * step_s;
+            if (k == 1 || k % ExponentialSampler::kBlock == 0) {
+                if (isSettledAfter(t_s - step_s))
+                    return false;
                 values = sampler.block(k / ExponentialSampler::kBlock);
-            step(grid.begin_s + static_cast<double>(k) * step_s, step_s,
-                values[k % ExponentialSampler::kBlock]);
+            }
+            step(t_s, step_s, values[k % ExponentialSampler::kBlock]);
         }
+        return true;
     }
 
     void describe(StepCharacteristics &result) const
@@ -142,6 +137,12 @@ private:
         double level = 0.0;
     };
 
+    /// No later value leaves the settled range or is above the highest.
+    bool isSettledAfter(double t_s) const
+    {
+        return m_t90 && restAfter(m_y, t_s) < std::min(m_settled, m_top - 1.0);
+    }
+
     double crossing(const Passage &passage) const
     {
         return bisect(
@@ -150,7 +151,6 @@ private:
 
     void step(double t_s, double step_s, double now)
     {
-        constexpr double kSettled = 0.05;
         if (!m_t10 && now >= 0.1)
             m_t10 = crossing({m_time_s, t_s, 0.1});
         if (!m_t90 && now >= 0.9)
@@ -160,9 +160,9 @@ private:
             m_topTime_s = t_s;
             m_topStep_s = step_s;
         }
-        if ((std::abs(m_value - 1.0) > kSettled) != (std::abs(now - 1.0) > kSettled)) {
-            const double level = std::abs(m_value - 1.0) > kSettled ? m_value : now;
-            m_lastPassage = {m_time_s, t_s, level > 1.0 ? 1.0 + kSettled : 1.0 - kSettled};
+        if ((std::abs(m_value - 1.0) > m_settled) != (std::abs(now - 1.0) > m_settled)) {
+            const double level = std::abs(m_value - 1.0) > m_settled ? m_value : now;
+            m_lastPassage = {m_time_s, t_s, level > 1.0 ? 1.0 + m_settled : 1.0 - m_settled};
         }
         m_time_s = t_s;
         m_value = now;
@@ -181,6 +181,7 @@ private:
     }
 
     const ExponentialSum &m_y;
+    double m_settled;
     double m_time_s = 0.0;
     double m_value;
     std::optional<double> m_t10;
@@ -191,13 +192,16 @@ private:
     double m_topStep_s = 0.0;
 };
 
-void describeStep(const SensorModel &model, StepCharacteristics &result)
+StepCharacteristics describedStep(const SensorModel &model, double settled)
 {
-    const ExponentialSum y = normalisedSum(model);
-    StepScan scan(y);
+    const ExponentialSum y = normalisedStep(model);
+    StepScan scan(y, settled);
     for (const TimeGrid &grid : timeGrids(y))
-        scan.follow(grid);
+        if (!scan.follow(grid))
+            break;
+    StepCharacteristics result;
     scan.describe(result);
+    return result;
 }
 
 /// 400 points per decade from 1e-3 of the slowest to 20 times the fastest pole, and further ones at
@@ -205,7 +209,7 @@ void describeStep(const SensorModel &model, StepCharacteristics &result)
 std::vector<double> frequencyGrid_Hz(const SensorModel &model)
 {
     constexpr int kPerDecade = 400;
-    const Eigen::ArrayXd rates = normalisedSum(model).poles_rad_s.cwiseAbs();
+    const Eigen::ArrayXd rates = normalisedStep(model).poles_rad_s.cwiseAbs();
     const double from_Hz = 1e-3 * rates.minCoeff() / kTwoPi;
     const double to_Hz = 20.0 * rates.maxCoeff() / kTwoPi;
     const int steps = static_cast<int>(std::ceil(std::log10(to_Hz / from_Hz) * kPerDecade));
@@ -251,14 +255,37 @@ void describeBands(
 
 } // namespace
 
+ExponentialSum normalisedStep(const SensorModel &model)
+{
+    if (!model.slowPoles.empty())
+        return model.sensorStep;
+    ExponentialSum sum{1.0, Eigen::VectorXcd(model.amplitudes.size()), model.amplitudes};
+    for (Index i = 0; i < sum.poles_rad_s.size(); ++i)
+        sum.poles_rad_s[i] = model.poles[static_cast<std::size_t>(i)].s_rad_s;
+    sum.amplitudes /= model.plateauGain;
+    return sum;
+}
+
+double restAfter(const ExponentialSum &y, double t_s)
+{
+    return (y.amplitudes.array().abs() * (t_s * y.poles_rad_s.array().real()).exp()).sum();
+}
+
 StepCharacteristics stepCharacteristics(const SensorModel &model, ResponseTreatment treatment)
 {
-    StepCharacteristics result;
     if (!hasStepResponse(model, treatment))
-        return result;
-    describeStep(model, result);
+        return {};
+    StepCharacteristics result = describedStep(model, kSettledRange);
     describeBands(model, treatment, result);
     return result;
+}
+
+std::optional<double> settlingTime_s(
+    const SensorModel &model, ResponseTreatment treatment, double settled)
+{
+    if (!hasStepResponse(model, treatment))
+        return std::nullopt;
+    return describedStep(model, settled).settlingTime_s;
 }
 
 } // namespace dyncal

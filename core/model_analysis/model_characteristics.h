@@ -3,6 +3,7 @@
 
 #pragma once
 
+#include "core/realization/exponentials/exponential_sum.h"
 #include "core/realization/model/sensor_model.h"
 #include "core/signal/signal_settings.h"
 
@@ -23,8 +24,22 @@ struct StepCharacteristics
     std::optional<double> top_s = std::nullopt; ///< where the response is highest, after the onset
 };
 
+/// Half width of the range about the level in which a step response has settled.
+inline constexpr double kSettledRange = 0.05;
+
+/// The sensor's answer to a step of 1, t from the onset: without what drifts slower than it.
+ExponentialSum normalisedStep(const SensorModel &model);
+
+/// No later value of the sum is farther from its constant; of poles that decay.
+double restAfter(const ExponentialSum &y, double t_s);
+
 /// Closed: of the continuous model, so that neither rate nor window limits them
 /// (docs/method/response.md). Empty for a free decay and where a pole does not decay.
 StepCharacteristics stepCharacteristics(const SensorModel &model, ResponseTreatment treatment);
+
+/// Time of the last passage into 1 +- `settled`, from the onset; empty where there is none, and as
+/// stepCharacteristics().
+std::optional<double> settlingTime_s(
+    const SensorModel &model, ResponseTreatment treatment, double settled);
 
 } // namespace dyncal

@@ -6,6 +6,7 @@
 #include "core/base/distributions.h"
 #include "core/base/number_text.h"
 #include "core/base/propagation.h"
+#include "core/model_analysis/shot_lines.h"
 
 #include <Eigen/Cholesky>
 #include <Eigen/LU>
@@ -32,21 +33,6 @@ struct Parts
     std::map<std::string, std::vector<UncertaintyLine>> common; ///< per input, per shot
 };
 
-/// What an input of the step does to a shot's sensitivity: a larger step makes it smaller.
-UncertaintyLine partOf(const BudgetLine &line, const ShotSensitivity &shot)
-{
-    UncertaintyLine part;
-    part.quantity = line.input.quantity;
-    part.value = line.input.value;
-    part.u = line.input.u;
-    part.distribution = line.input.distribution;
-    part.dof = line.input.dof;
-    part.correlated = line.input.correlated;
-    part.contribution = -line.contribution[kOfStep] / *shot.step_Pa;
-    part.sensitivity = part.u > 0.0 ? part.contribution / part.u : 0.0;
-    return part;
-}
-
 bool isComplete(
     const std::vector<ShotSensitivity> &shots, const std::vector<const StepUncertainty *> &steps)
 {
@@ -66,19 +52,14 @@ Parts partsOf(
             parts.own[i].push_back(directLine("unstated", kUnstated));
             continue;
         }
-        parts.own[i].push_back(
-            with(OverShots::Own, directLine(kLevelRelative, shots[i].uLevel_relative)));
-        parts.own[i].back().shot = shots[i].shot;
-        for (const BudgetLine &line : steps[i]->budget.lines) {
-            UncertaintyLine part = partOf(line, shots[i]);
-            if (!line.input.common) {
-                part.shot = shots[i].shot;
-                parts.own[i].push_back(with(OverShots::Own, part));
+        for (const UncertaintyLine &line : shotLines(shots[i], *steps[i])) {
+            if (line.overShots == OverShots::Own) {
+                parts.own[i].push_back(line);
                 continue;
             }
-            auto &row = parts.common[line.input.quantity];
+            auto &row = parts.common[line.quantity];
             row.resize(shots.size());
-            row[i] = part;
+            row[i] = line;
         }
     }
     return parts;

@@ -116,7 +116,53 @@ Finding tooLargeFinding(const DifferentUs &values, Index compared)
             "%1: Monte Carlo gives U = %2, the law of propagation %3. The law gives more than is needed for %4 of %5 values and rows: what is stated is safe, Monte Carlo would state less."));
 }
 
+/// How far apart both are, whichever way: by spread, or by place in units of the spread.
+double distanceOf(const RefittedValue &value)
+{
+    return std::max(
+        std::abs(std::log(value.u_refits / value.u_draws)), std::abs(value.shift / value.u_draws));
+}
+
+Finding failedRefits(const RefitCheck &check)
+{
+    return {.id = "UNC-006",
+        .severity = Severity::Caution,
+        .message
+        = {DYNCAL_TEXT("core",
+               "%1 of %2 records made as the model gives them, with the noise of the shots, could not be fitted again: the values of the model may be far more uncertain than is stated. Choose a lower order, or record with less noise."),
+            {std::to_string(check.failed), std::to_string(check.refits)}},
+        .value = static_cast<double>(check.failed),
+        .limit = 0.0};
+}
+
+Finding disagreeingRefits(const RefitCheck &check, const RefittedValue &worst)
+{
+    const double ratio = worst.u_refits / worst.u_draws;
+    return {.id = "UNC-006",
+        .severity = Severity::Caution,
+        .message
+        = {DYNCAL_TEXT("core",
+               "%1 of %2 refits of simulated records is %3 times as uncertain as the model's covariance has it, and %4 of that u apart: the stated uncertainties of the model's values do not hold. Choose a lower order, or record with less noise."),
+            {worst.of, std::to_string(check.refits), numberText(ratio, kDigitsOfU),
+                numberText(worst.shift / worst.u_draws, kDigitsOfU)}},
+        .value = ratio,
+        .limit = 1.0};
+}
+
 } // namespace
+
+Findings judgeRefits(const RefitCheck &check)
+{
+    if (check.refits == 0 || check.agrees())
+        return {};
+    if (check.failed > 0)
+        return {failedRefits(check)};
+    const RefittedValue *worst = nullptr;
+    for (const RefittedValue &one : check.values)
+        if (!one.agrees && (!worst || !(distanceOf(one) <= distanceOf(*worst))))
+            worst = &one;
+    return {disagreeingRefits(check, *worst)};
+}
 
 Findings judgeChain(const std::vector<DrawnValue> &values, const std::vector<DrawnRow> &rows,
     const std::vector<DrawnRow> &rowsAtMarks)

@@ -4,6 +4,7 @@
 #pragma once
 
 #include "core/base/finding.h"
+#include "core/monte_carlo/full_refits.h"
 #include "core/monte_carlo/row_draws.h"
 
 #include <vector>
@@ -17,5 +18,9 @@ namespace dyncal {
 /// leaves open is not told.
 Findings judgeChain(const std::vector<DrawnValue> &values, const std::vector<DrawnRow> &rows,
     const std::vector<DrawnRow> &rowsAtMarks);
+
+/// UNC-006: full refits do not agree with the draws of the model's parameters, or failed; the value
+/// that differs most is named. Nothing where there were no refits.
+Findings judgeRefits(const RefitCheck &check);
 
 } // namespace dyncal

@@ -153,7 +153,9 @@ void addMean(const SensitivityMean &mean, ChainInputs &inputs)
             one.of.push_back(i);
     const auto line
         = std::ranges::find(mean.lines, std::string(kScatterOfShots), &UncertaintyLine::quantity);
-    if (line != mean.lines.end()) {
+    if (!inputs.means.empty() && one.of == inputs.means.front().of) { // the same mean once more
+        one.scatter = inputs.means.front().scatter;
+    } else if (line != mean.lines.end()) {
         UncertainInput input = sourceOf(*line);
         input.quantity += std::string(" ") + shotLevelName(mean.level);
         one.scatter = drawn(inputs, std::move(input));

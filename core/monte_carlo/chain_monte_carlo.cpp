@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <utility>
 
 namespace dyncal {
@@ -19,14 +20,26 @@ constexpr Index kMostAdaptive = 200000;
 constexpr Index kReported = 500; ///< trials from one report of progress to the next
 constexpr double kShareOfTrials = 0.85; ///< of the time; the rest is of the rows
 
+/// How many values and rows both propagations may have.
+Index comparisonsOf(const TrialPlan &plan)
+{
+    const ResponseResult &response = plan.subject.response;
+    const Index marked = response.atMarks ? response.atMarks->magnitude.size() : 0;
+    return std::max<Index>(
+        1, std::ssize(plan.quantities) + 2 * (response.magnitude.size() + marked));
+}
+
 /// Values of one block, as the batches of an adaptive run are compared.
 std::vector<DrawnQuantity> quantitiesOf(
     const TrialPlan &plan, const TrialBlock &block, double coverage)
 {
     std::vector<DrawnQuantity> list;
-    for (Index i = 0; i < block.values.cols(); ++i)
-        list.push_back(drawnQuantity(block.values.col(i),
-            plan.quantities[static_cast<std::size_t>(i)].reported.value, coverage));
+    for (Index i = 0; i < block.values.cols(); ++i) {
+        const ReportedValue &reported = plan.quantities[static_cast<std::size_t>(i)].reported;
+        list.push_back(
+            drawnQuantity(block.values.col(i), reported.value, coverage, comparisonsOf(plan)));
+        leaveOutMoments(leastDofOf(reported.lines), list.back());
+    }
     return list;
 }
 
@@ -96,14 +109,15 @@ Result<void> addRows(const TrialPlan &plan, const TrialBlock &trials, const JobC
 {
     const ResponseResult &response = plan.subject.response;
     const UncertaintyReport &report = plan.subject.report;
-    auto rows = drawnRows(plan, trials, response, report.rows, result.coverage, control);
+    const DrawnIntervals intervals{result.coverage, comparisonsOf(plan)};
+    auto rows = drawnRows(plan, trials, response, report.rows, intervals, control);
     if (!rows)
         return tl::unexpected(rows.error());
     result.rows = std::move(*rows);
     if (!response.atMarks)
         return {};
     auto marked
-        = drawnRows(plan, trials, *response.atMarks, report.rowsAtMarks, result.coverage, control);
+        = drawnRows(plan, trials, *response.atMarks, report.rowsAtMarks, intervals, control);
     if (!marked)
         return tl::unexpected(marked.error());
     result.rowsAtMarks = std::move(*marked);
@@ -187,6 +201,7 @@ Result<ChainMonteCarlo> chainMonteCarlo(const ChainSubject &subject,
     result.refits = std::move(*refits);
     if (isOfStatedCoverage(result.coverage))
         result.findings = judgeChain(result.values, result.rows, result.rowsAtMarks);
+    std::ranges::move(judgeRefits(result.refits), std::back_inserter(result.findings));
     return result;
 }
 

@@ -35,7 +35,7 @@ struct ChainMonteCarlo
     std::vector<DrawnRow> rows; ///< of ResponseResult
     std::vector<DrawnRow> rowsAtMarks; ///< of ResponseResult::atMarks
     RefitCheck refits;
-    Findings findings; ///< UNC-003
+    Findings findings; ///< UNC-003, UNC-006
 
     ValidatedCount count() const;
     bool isValidated() const; ///< all values and rows are, and there are some

@@ -3,6 +3,8 @@
 
 #include "core/monte_carlo/coverage_interval.h"
 
+#include "core/base/distributions.h"
+
 #include <algorithm>
 #include <cmath>
 #include <vector>
@@ -37,25 +39,27 @@ void addShortest(const std::vector<double> &sorted, double coverage, DrawnQuanti
     drawn.shortestHigh = sorted[static_cast<std::size_t>(best + held)];
 }
 
-/// The number of trials below a quantile is binomial: its ranks at +-1.96 standard deviations.
-void addExpanded(
-    const Eigen::VectorXd &values, double reported, double coverage, DrawnQuantity &drawn)
+/// The number of trials below a quantile is binomial: its ranks at +-1.96 standard deviations, or
+/// more where there are many comparisons.
+void addExpanded(const Eigen::VectorXd &values, double reported, double coverage, Index comparisons,
+    DrawnQuantity &drawn)
 {
-    constexpr double kTwoSided = 1.96;
+    const double twoSided = normalQuantile(1.0 - 0.025 / static_cast<double>(comparisons));
     std::vector<double> distance(values.begin(), values.end());
     for (double &one : distance)
         one = std::abs(one - reported);
     std::ranges::sort(distance);
     const double reach
-        = kTwoSided * std::sqrt(coverage * (1.0 - coverage) / static_cast<double>(values.size()));
+        = twoSided * std::sqrt(coverage * (1.0 - coverage) / static_cast<double>(values.size()));
     drawn.expanded = quantileOf(distance, coverage);
-    drawn.leastExpanded = quantileOf(distance, coverage - reach);
+    drawn.leastExpanded = quantileOf(distance, std::max(0.0, coverage - reach));
     drawn.mostExpanded = quantileOf(distance, std::min(1.0, coverage + reach));
 }
 
 } // namespace
 
-DrawnQuantity drawnQuantity(const Eigen::VectorXd &values, double reported, double coverage)
+DrawnQuantity drawnQuantity(
+    const Eigen::VectorXd &values, double reported, double coverage, Index comparisons)
 {
     DrawnQuantity drawn;
     drawn.trials = values.size();
@@ -70,8 +74,17 @@ DrawnQuantity drawnQuantity(const Eigen::VectorXd &values, double reported, doub
     drawn.low = quantileOf(sorted, 0.5 * (1.0 - coverage));
     drawn.high = quantileOf(sorted, 0.5 * (1.0 + coverage));
     addShortest(sorted, coverage, drawn);
-    addExpanded(values, reported, coverage, drawn);
+    addExpanded(values, reported, coverage, comparisons, drawn);
     return drawn;
+}
+
+void leaveOutMoments(double leastDof, DrawnQuantity &drawn)
+{
+    drawn.leastDof = leastDof;
+    if (!(leastDof > 2.0))
+        drawn.u = kUnknown;
+    if (!(leastDof > 1.0))
+        drawn.mean = kUnknown;
 }
 
 } // namespace dyncal

@@ -163,6 +163,8 @@ MeanAndSpread spreadOf(const ManyValues &all, double CharacteristicValues::*memb
 
 bool isWithin(const RefittedValue &value, Index refits, double chance)
 {
+    if (value.u_refits == 0.0 && value.u_draws == 0.0 && value.shift == 0.0)
+        return true; // as the overshoot of a sensor that has none
     const auto freedom = static_cast<double>(refits - 1);
     const double squares = freedom * std::pow(value.u_refits / value.u_draws, 2);
     const double above = chiSquareSurvival(squares, freedom);

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace dyncal {
 namespace {
@@ -49,6 +50,15 @@ GumValidation validateGum(
     GumValidation gum = validateGum(reported.value, all.u, all.dof, coverage, drawn);
     gum.largest = dominantOf(lines, all.u);
     return gum;
+}
+
+double leastDofOf(const std::vector<UncertaintyLine> &lines)
+{
+    double least = std::numeric_limits<double>::infinity();
+    for (const UncertaintyLine &line : lines)
+        if (line.contribution != 0.0 && line.dof > 0.0)
+            least = std::min(least, line.dof);
+    return least;
 }
 
 int sizeOfGum(const GumValidation &gum, const DrawnQuantity &drawn)

@@ -7,6 +7,7 @@
 #include "core/uncertainty/reported_value.h"
 
 #include <string>
+#include <vector>
 
 namespace dyncal {
 
@@ -45,6 +46,9 @@ struct DrawnValue
     DrawnQuantity drawn;
     GumValidation gum;
 };
+
+/// The fewest degrees of freedom among the inputs that make its u: what its draws have.
+double leastDofOf(const std::vector<UncertaintyLine> &lines);
 
 /// From what difference of U on the two are told to differ (UNC-003).
 inline constexpr double kExpandedDiffers = 0.05;

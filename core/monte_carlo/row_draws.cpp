@@ -10,6 +10,7 @@
 #include "core/monte_carlo/row_sources.h"
 #include "core/realization/exponentials/front.h"
 
+#include <algorithm>
 #include <cmath>
 #include <complex>
 #include <string>
@@ -97,12 +98,22 @@ void addCovariance(const Eigen::VectorXcd &values, DrawnRow &row)
     row.covReIm = (rest.real() * rest.imag()).sum() / n;
 }
 
-DrawnQuantity drawnPhase(const Eigen::VectorXcd &ratios, double reported_rad, double coverage)
+DrawnQuantity drawnOf(
+    const Eigen::VectorXd &values, const ReportedValue &reported, const DrawnIntervals &intervals)
+{
+    DrawnQuantity drawn
+        = drawnQuantity(values, reported.value, intervals.coverage, intervals.comparisons);
+    leaveOutMoments(leastDofOf(reported.lines), drawn);
+    return drawn;
+}
+
+DrawnQuantity drawnPhase(
+    const Eigen::VectorXcd &ratios, const ReportedValue &reported, const DrawnIntervals &intervals)
 {
     Eigen::VectorXd phase_rad(ratios.size());
     for (Index i = 0; i < ratios.size(); ++i)
-        phase_rad[i] = reported_rad + std::arg(ratios[i]);
-    return drawnQuantity(phase_rad, reported_rad, coverage);
+        phase_rad[i] = reported.value + std::arg(ratios[i]);
+    return drawnOf(phase_rad, reported, intervals);
 }
 
 /// Maker of all rows of one response.
@@ -110,12 +121,12 @@ class RowMaker
 {
 public:
     RowMaker(const TrialPlan &plan, const TrialBlock &trials, const ResponseResult &response,
-        const RowUncertainty &rows, double coverage)
+        const RowUncertainty &rows, const DrawnIntervals &intervals)
         : m_plan(plan)
         , m_trials(trials)
         , m_response(response)
         , m_rows(rows)
-        , m_coverage(coverage)
+        , m_intervals(intervals)
     {
     }
 
@@ -136,12 +147,26 @@ public:
             addPhase(own, phase, row);
         if (row.withMagnitude)
             addMagnitude(own, i, row);
-        addCovariance(of.value * shared(own), row);
-        row.isBivariate = !(std::sqrt(row.varRe + row.varIm) < kSmallAgainstU * std::abs(of.value));
+        if (hasVariance(row))
+            addCovariance(of.value * shared(own), row);
+        row.isBivariate = !(sizeOf(row, std::abs(of.value)) < kSmallAgainstU * std::abs(of.value));
         return row;
     }
 
 private:
+    static bool hasVariance(const DrawnRow &row)
+    {
+        return std::min(row.magnitude.leastDof, row.phase.leastDof) > 2.0;
+    }
+
+    /// u of the complex value; without a variance half of its U.
+    static double sizeOf(const DrawnRow &row, double magnitude)
+    {
+        if (hasVariance(row))
+            return std::sqrt(row.varRe + row.varIm);
+        return 0.5 * (row.withMagnitude ? row.magnitude.expanded : magnitude * row.phase.expanded);
+    }
+
     Eigen::VectorXcd drawn(const RowSources &of) const
     {
         const RowTrial one(m_plan, m_trials, m_response, of);
@@ -158,34 +183,33 @@ private:
 
     void addPhase(const Eigen::VectorXcd &own, const ReportedValue &reported, DrawnRow &row) const
     {
-        row.phase = drawnPhase(own, reported.value, m_coverage);
-        row.gumPhase = validateGum(reported, m_coverage, row.phase);
+        row.phase = drawnPhase(own, reported, m_intervals);
+        row.gumPhase = validateGum(reported, m_intervals.coverage, row.phase);
     }
 
     void addMagnitude(const Eigen::VectorXcd &own, Index i, DrawnRow &row) const
     {
         const ReportedValue reported = magnitudeOfRow(m_response, m_rows, i);
-        row.magnitude
-            = drawnQuantity(reported.value * shared(own).cwiseAbs(), reported.value, m_coverage);
-        row.gumMagnitude = validateGum(reported, m_coverage, row.magnitude);
+        row.magnitude = drawnOf(reported.value * shared(own).cwiseAbs(), reported, m_intervals);
+        row.gumMagnitude = validateGum(reported, m_intervals.coverage, row.magnitude);
     }
 
     const TrialPlan &m_plan;
     const TrialBlock &m_trials;
     const ResponseResult &m_response;
     const RowUncertainty &m_rows;
-    double m_coverage;
+    DrawnIntervals m_intervals;
 };
 
 } // namespace
 
 Result<std::vector<DrawnRow>> drawnRows(const TrialPlan &plan, const TrialBlock &trials,
-    const ResponseResult &response, const RowUncertainty &rows, double coverage,
+    const ResponseResult &response, const RowUncertainty &rows, const DrawnIntervals &intervals,
     const JobControl &control)
 {
     const Index count = response.magnitude.size();
     std::vector<DrawnRow> drawn(static_cast<std::size_t>(count));
-    const RowMaker maker(plan, trials, response, rows, coverage);
+    const RowMaker maker(plan, trials, response, rows, intervals);
     forEachPart(count, true, [&](Index i) {
         if (!control.stopRequested())
             drawn[static_cast<std::size_t>(i)] = maker.make(i);

@@ -32,6 +32,13 @@ struct DrawnRow
     bool isBivariate = false;
 };
 
+/// How the intervals of rows are made: as drawnQuantity().
+struct DrawnIntervals
+{
+    double coverage = 0.95;
+    Index comparisons = 1;
+};
+
 /// `trials`: from 0 on, all of them; what rows share is in them. `response` and `rows` belong
 /// together: those of the subject, or at its marked frequencies. In trial i row r is
 ///
@@ -42,7 +49,7 @@ struct DrawnRow
 /// transducer's sensitivity; h: the drift; c: the chain's response; dt: the onset. A row without
 /// u of its magnitude has its phase alone; one that is withheld has nothing. Fails when stopped.
 Result<std::vector<DrawnRow>> drawnRows(const TrialPlan &plan, const TrialBlock &trials,
-    const ResponseResult &response, const RowUncertainty &rows, double coverage,
+    const ResponseResult &response, const RowUncertainty &rows, const DrawnIntervals &intervals,
     const JobControl &control = {});
 
 } // namespace dyncal

@@ -31,17 +31,32 @@ double spreadOver(const Batches &batches, std::size_t quantity, double DrawnQuan
     return std::sqrt(squares / (n * (n - 1.0)));
 }
 
+/// Up to four degrees of freedom u of a batch has no variance: no number of batches settles it, and
+/// the interval alone is looked at.
+bool hasSpreadOfU(const Batches &batches, std::size_t quantity)
+{
+    return batches.front()[quantity].leastDof > 4.0;
+}
+
+double meanWidth(const Batches &batches, std::size_t quantity)
+{
+    return meanOver(batches, quantity, &DrawnQuantity::high)
+        - meanOver(batches, quantity, &DrawnQuantity::low);
+}
+
 bool isSettled(const Batches &batches, std::size_t quantity, int digits)
 {
-    const double u = meanOver(batches, quantity, &DrawnQuantity::u);
+    const bool hasSpread = hasSpreadOfU(batches, quantity);
+    const double u = hasSpread ? meanOver(batches, quantity, &DrawnQuantity::u)
+                               : 0.25 * meanWidth(batches, quantity);
     if (!(u > 0.0))
         return true;
     const double tolerance = numericalTolerance(u, digits);
-    for (const auto member :
-        {&DrawnQuantity::mean, &DrawnQuantity::u, &DrawnQuantity::low, &DrawnQuantity::high})
-        if (2.0 * spreadOver(batches, quantity, member) > tolerance)
-            return false;
-    return true;
+    const auto isSettledIn = [&](double DrawnQuantity::*member) {
+        return 2.0 * spreadOver(batches, quantity, member) <= tolerance;
+    };
+    return isSettledIn(&DrawnQuantity::low) && isSettledIn(&DrawnQuantity::high)
+        && (!hasSpread || (isSettledIn(&DrawnQuantity::mean) && isSettledIn(&DrawnQuantity::u)));
 }
 
 } // namespace

@@ -5,6 +5,7 @@
 
 #include "core/monte_carlo/chain_monte_carlo.h"
 
+#include <algorithm>
 #include <functional>
 #include <string>
 #include <vector>
@@ -17,13 +18,19 @@ using DrawnJson = JsonRecord::Json;
 constexpr const char *kUndefined = "It does not exist in some of the trials, see undefined_trials.";
 constexpr const char *kNothingDrawn
     = "Nothing was drawn: no value of a step response has an uncertainty, or it is a free decay.";
+constexpr const char *kNoMoment
+    = "With one or two degrees of freedom it does not exist (JCGM 101, 6.4.9.4); the interval stands.";
 constexpr const char *kNoRow = "The row is withheld, or a part of its uncertainty is not known.";
+
+constexpr const char *kNoRowOrMoment
+    = "The row is withheld, a part of its uncertainty is not known, or its draws have one or two degrees of freedom, with which it does not exist.";
 
 void addDrawn(JsonRecord &record, const DrawnQuantity &drawn)
 {
     record.set("undefined_trials", drawn.undefined);
-    record.number("mean", drawn.mean, kUndefined);
-    record.number("u", drawn.u, kUndefined);
+    const char *whyNoMoment = drawn.undefined > 0 ? kUndefined : kNoMoment;
+    record.number("mean", drawn.mean, whyNoMoment);
+    record.number("u", drawn.u, whyNoMoment);
     record.number("low", drawn.low, kUndefined);
     record.number("high", drawn.high, kUndefined);
     record.number("shortest_low", drawn.shortestLow, kUndefined);
@@ -67,7 +74,8 @@ void addFlags(JsonRecord &record, const std::string &key, const std::vector<Draw
     for (const DrawnRow &row : rows)
         list.push_back(row.*has ? DrawnJson(of(row)) : DrawnJson());
     record.set(key, std::move(list));
-    record.set(key + "_reason", kNoRow);
+    if (!std::ranges::all_of(rows, has))
+        record.set(key + "_reason", kNoRow);
 }
 
 DrawnJson covariancesJson(const std::vector<DrawnRow> &rows)
@@ -81,11 +89,13 @@ DrawnJson covariancesJson(const std::vector<DrawnRow> &rows)
 void addColumns(JsonRecord &record, const std::string &of, const std::vector<DrawnRow> &rows,
     DrawnQuantity DrawnRow::*drawn, GumValidation DrawnRow::*gum)
 {
-    const auto add = [&](const char *name, const std::function<double(const DrawnRow &)> &value) {
-        record.numbers(of + name, column(rows, value), kNoRow);
-    };
-    add("_mean", [=](const DrawnRow &row) { return (row.*drawn).mean; });
-    add("_u", [=](const DrawnRow &row) { return (row.*drawn).u; });
+    const auto add
+        = [&](const char *name, const std::function<double(const DrawnRow &)> &value,
+              const char *why = kNoRow) { record.numbers(of + name, column(rows, value), why); };
+    add(
+        "_mean", [=](const DrawnRow &row) { return (row.*drawn).mean; }, kNoRowOrMoment);
+    add(
+        "_u", [=](const DrawnRow &row) { return (row.*drawn).u; }, kNoRowOrMoment);
     add("_low", [=](const DrawnRow &row) { return (row.*drawn).low; });
     add("_high", [=](const DrawnRow &row) { return (row.*drawn).high; });
     add("_expanded", [=](const DrawnRow &row) { return (row.*drawn).expanded; });
@@ -106,7 +116,7 @@ DrawnJson rowsJson(const std::vector<DrawnRow> &rows)
         [](const DrawnRow &row) { return row.gumPhase.validated; });
     record.set("covariance_re_im", covariancesJson(rows));
     record.set("covariance_re_im_reason",
-        "var Re, covariance, var Im of all that the row's U has; null where withheld.");
+        "var Re, covariance, var Im of all that the row's U has; null where withheld, or where its draws have no variance.");
     addFlags(record, "bivariate", rows, &DrawnRow::withPhase,
         [](const DrawnRow &row) { return row.isBivariate; });
     return record.take();

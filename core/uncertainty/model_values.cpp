@@ -7,8 +7,10 @@
 #include "core/uncertainty/characteristic_values.h"
 #include "core/uncertainty/front_effect.h"
 #include "core/uncertainty/model_noise.h"
+#include "core/uncertainty/settling_spread.h"
 #include "core/uncertainty/weak_modes.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <numbers>
@@ -45,18 +47,25 @@ Spread spreadOf(const std::vector<std::pair<CharacteristicValues, Characteristic
     return u;
 }
 
-/// f0 and damping as assessed; everything else of the model is as uncertain in proportion. Of a
-/// free decay nothing moves but these.
-void takeAssessed(const SensorResonance &assessed, Spread &u)
+/// f0 and damping as assessed; everything else of the model is as uncertain in proportion, which is
+/// returned. Of a free decay nothing moves but these.
+double takeAssessed(const SensorResonance &assessed, Spread &u)
 {
     if (!std::isfinite(assessed.u_frequency_Hz))
-        return;
+        return 1.0;
     const double wider = widening(assessed.u_frequency_Hz, u[0], assessed.u_dampingRatio, u[1]);
     for (double &one : u)
         one *= wider;
     u[0] = assessed.u_frequency_Hz;
     u[1] = assessed.u_dampingRatio;
     u[2] = 0.5 * assessed.u_dampingRatio / std::pow(assessed.dampingRatio, 2);
+    return wider;
+}
+
+double *memberOf(Spread &u, double CharacteristicValues::*value)
+{
+    const auto found = std::ranges::find(kCharacteristics, value, &Characteristic::value);
+    return &u[static_cast<std::size_t>(found - kCharacteristics.begin())];
 }
 
 /// What the front does to every value, as lines without an amount where it does nothing.
@@ -119,8 +128,10 @@ std::vector<ReportedValue> modelValues(const SensorModel &model, const ModelAsse
             characteristicValues(one.down, pair, treatment));
     Spread u = spreadOf(moved);
     const auto assessed = sensorResonance(&model, &assessment);
-    if (assessed)
-        takeAssessed(*assessed, u);
+    const double wider = assessed ? takeAssessed(*assessed, u) : 1.0;
+    if (std::isfinite(values.settlingTime_s))
+        *memberOf(u, &CharacteristicValues::settlingTime_s)
+            = settlingSpread_s(model, variations, treatment, wider);
     const auto ofFront = frontLines(model, pair, treatment, response.front);
     const auto withoutWeak = valuesWithoutWeak(model, pair, treatment);
     std::vector<ReportedValue> reported;

@@ -4,6 +4,7 @@
 #include "core/uncertainty/uncertainty_report.h"
 
 #include "core/base/number_text.h"
+#include "core/model_analysis/shot_lines.h"
 #include "core/model_analysis/transducer_steps.h"
 #include "core/uncertainty/model_values.h"
 #include "core/uncertainty/pole_amplitudes.h"
@@ -95,14 +96,17 @@ std::optional<CommonLines> commonLines(const ResponseResult &response, const Lin
     return common;
 }
 
-/// Complete: with what the chain adds, in the degrees of freedom too.
-ReportedValue shotValue(const ShotSensitivity &shot, const Lines &chain)
+/// Complete: with what the chain adds, which inputs of the step may be correlated with. `step`: as
+/// the shot has it, null without.
+ReportedValue shotValue(
+    const ShotSensitivity &shot, const ShockConditions *step, double levelDof, const Lines &chain)
 {
     ReportedValue reported{"sensitivity", shot.sensitivity.value_or(kUnknown), shot.unit};
-    if (!shot.u || !shot.sensitivity)
+    if (!shot.u || !shot.sensitivity || !step || !step->uncertainty)
         return reported;
-    reported.lines = together({directLine("step_and_level", *shot.u, shot.dof)},
-        scaled(chain, std::abs(*shot.sensitivity)));
+    const Lines own
+        = shotLines(shot, *step->uncertainty, levelDof > 0.0 ? levelDof : directLine({}, 0.0).dof);
+    reported.lines = scaled(together(own, chain), std::abs(*shot.sensitivity));
     combineLines(reported);
     return reported;
 }
@@ -214,7 +218,8 @@ UncertaintyReport reportUncertainty(const ModelInput &input, const SensorModel &
     for (const SensitivityMean &level : response.summary.perLevel)
         report.perLevel.push_back(meanValue(level, response.sensitivityUnit, ofLevels));
     for (const ShotSensitivity &shot : response.shots)
-        report.ofShots.push_back(shotValue(shot, ofLevels));
+        report.ofShots.push_back(
+            shotValue(shot, shock.ofShot(shot.shot), model.draft.noise.dof, ofLevels));
     const std::vector<ModelVariation> variations = modelVariations(input, model);
     report.ofModel
         = modelValues(model, assessment, response, variations, input.treatment, report.chain.clock);

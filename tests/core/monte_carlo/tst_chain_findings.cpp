@@ -104,6 +104,54 @@ private slots:
         QVERIFY(judged({one}).empty());
     }
 
+    static RefitCheck refits()
+    {
+        return {50, 0,
+            {{"f0_hz", 1.1, 1.0, 0.1, true}, {"q", 2.0, 1.0, 0.0, false},
+                {"rise_time_s", 1.0, 1.0, 0.9, false}}};
+    }
+
+    void refitsThatDisagree_areACaution()
+    {
+        const Findings found = judgeRefits(refits());
+        QCOMPARE(std::ssize(found), Index(1));
+        QCOMPARE(found[0].id, std::string("UNC-006"));
+        QCOMPARE(found[0].severity, Severity::Caution);
+        const QString words = QString::fromStdString(english(found[0].message));
+        QVERIFY2(words.startsWith("rise_time_s of 50 refits of simulated records is 1 times as "
+                                  "uncertain as the model's covariance has it, and 0.9 of that u"),
+            qPrintable(words));
+        RefitCheck spread = refits();
+        spread.values[2].agrees = true;
+        QVERIFY(english(judgeRefits(spread)[0].message).starts_with("q of 50 refits"));
+        QCOMPARE(*judgeRefits(spread)[0].value, 2.0);
+    }
+
+    void refitsThatAgree_orAreNone_sayNothing()
+    {
+        RefitCheck check = refits();
+        check.values.resize(1);
+        QVERIFY(judgeRefits(check).empty());
+        QVERIFY(judgeRefits({}).empty());
+    }
+
+    void refitsThatFail_areACaution()
+    {
+        RefitCheck check = refits();
+        check.failed = 3;
+        const Findings found = judgeRefits(check);
+        QCOMPARE(std::ssize(found), Index(1));
+        QVERIFY(english(found[0].message).starts_with("3 of 50 records"));
+    }
+
+    /// A value that no draw has is the worst that can be said.
+    void valueWithoutASpread_isNamed()
+    {
+        RefitCheck check = refits();
+        check.values[0] = {"f0_hz", kUnknown, 1.0, kUnknown, false};
+        QVERIFY(english(judgeRefits(check)[0].message).starts_with("f0_hz"));
+    }
+
     void rows_areToldByTheirFrequency()
     {
         DrawnRow row;

@@ -144,6 +144,23 @@ private slots:
         QCOMPARE(inputs.means[0].scatter->input.dof, 2.0);
     }
 
+    /// All shots of one level: its mean is the mean, one draw.
+    void levelOfAllShots_hasTheScatterOfTheMean()
+    {
+        ResponseResult response = *m_chain->results.response;
+        for (ShotSensitivity &shot : response.shots)
+            shot.level = ShotLevel::High;
+        response.summary.mean->lines.push_back(directLine(kScatterOfShots, 0.02, 2.0));
+        response.summary.perLevel = {*response.summary.mean};
+        response.summary.perLevel[0].level = ShotLevel::High;
+        const ChainSubject all = m_chain->subject();
+        const ChainInputs inputs = chainInputs(
+            {all.input, all.model, all.assessment, response, all.shock, all.report, all.stated});
+        QCOMPARE(std::ssize(inputs.means), Index(2));
+        QVERIFY(inputs.means[0].scatter && inputs.means[1].scatter);
+        QCOMPARE(inputs.means[0].scatter->source, inputs.means[1].scatter->source);
+    }
+
     void shotWithoutU_leavesNoSensitivity()
     {
         ResponseResult response = *m_chain->results.response;

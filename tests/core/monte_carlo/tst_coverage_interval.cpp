@@ -94,6 +94,36 @@ private slots:
             QVERIFY(std::isnan(one));
     }
 
+    /// A hundred values that are looked at together are allowed what one of them seldom needs.
+    void manyComparisons_leaveMoreOpen()
+    {
+        const Eigen::VectorXd values = spread(1000, [](double p) { return p; });
+        const auto least = [&](Index comparisons) {
+            return drawnQuantity(values, 0.0, 0.95, comparisons).leastExpanded;
+        };
+        const double deviation = std::sqrt(0.95 * 0.05 / 1000.0);
+        QVERIFY(isNear(0.95 - least(1), 1.95996 * deviation, 0.03));
+        QVERIFY(isNear(0.95 - least(100), 3.48076 * deviation, 0.03)); // 1 - 0.025/100
+        QCOMPARE(drawnQuantity(values, 0.0, 0.95, 100).expanded,
+            drawnQuantity(values, 0.0, 0.95).expanded);
+    }
+
+    /// JCGM 101, 6.4.9.4.
+    void momentsThatDoNotExist_areNotStated()
+    {
+        for (const double dof : {1.0, 2.0, 3.0}) {
+            DrawnQuantity drawn
+                = drawnQuantity(spread(1000, [](double p) { return p; }), 0.5, 0.95);
+            const DrawnQuantity before = drawn;
+            leaveOutMoments(dof, drawn);
+            QCOMPARE(std::isfinite(drawn.mean), dof > 1.0);
+            QCOMPARE(std::isfinite(drawn.u), dof > 2.0);
+            QCOMPARE(drawn.low, before.low);
+            QCOMPARE(drawn.shortestHigh, before.shortestHigh);
+            QCOMPARE(drawn.expanded, before.expanded);
+        }
+    }
+
     void oneTrial_isNone()
     {
         QVERIFY(std::isnan(drawnQuantity(Eigen::VectorXd::Ones(1), 1.0, 0.95).u));

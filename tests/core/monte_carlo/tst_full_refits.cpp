@@ -5,11 +5,16 @@
 
 #include "core/monte_carlo/full_refits.h"
 #include "core/monte_carlo/model_draws.h"
+#include "core/uncertainty/model_values.h"
 #include "tests/support/calibrated_chain.h"
+#include "tests/support/damped_shots.h"
+#include "tests/support/realized_model.h"
 #include "tests/support/test_program.h"
+#include "tests/support/wide_response.h"
 
 #include <QTest>
 
+#include <algorithm>
 #include <cmath>
 
 using namespace dyncal;
@@ -61,6 +66,34 @@ private slots:
         QVERIFY(!found.agrees());
         QVERIFY(std::ranges::none_of(
             found.values, [](const RefittedValue &one) { return one.agrees; }));
+    }
+
+    /// A sensor without overshoot has none in any refit nor draw: no disagreement.
+    void valueThatNeverMoves_agrees()
+    {
+        testing::DampedShots made;
+        made.noise = 0.002;
+        const ModelInput input = testing::dampedShots(318e3, 1.3, 1, made);
+        const auto hankel = decomposeHankel(input, {});
+        const testing::RealizedModel of = *testing::realizeModel(input, *hankel, 2);
+        ResponseResult response = testing::wideOpen(of.model);
+        UncertaintyReport report;
+        report.ofModel = modelValues(of.model, of.assessment, response,
+            modelVariations(input, of.model), input.treatment, directLine("clock_relative", 0.0));
+        const ChainSubject subject{input, of.model, of.assessment, response,
+            *m_chain->results.shock, report, m_chain->stated};
+        const auto again = [&](const ModelInput &records, const JobControl &) {
+            auto refitted = testing::realizeModel(records, *hankel, 2);
+            return refitted ? Result<SensorModel>(refitted->model)
+                            : Result<SensorModel>(tl::unexpected(refitted.error()));
+        };
+        const RefitCheck found = *fullRefits(subject, chainInputs(subject), again, 4000, 1);
+        const auto overshoot
+            = std::ranges::find(found.values, std::string("overshoot_percent"), &RefittedValue::of);
+        QVERIFY(overshoot != found.values.end());
+        QCOMPARE(overshoot->u_refits, 0.0);
+        QCOMPARE(overshoot->u_draws, 0.0);
+        QVERIFY(overshoot->agrees);
     }
 
     void failedRefits_areCounted()

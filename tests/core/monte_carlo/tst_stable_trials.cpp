@@ -57,6 +57,24 @@ private slots:
             areStable({{drawn(0.0, 1.2), DrawnQuantity()}, {drawn(0.0, 1.2), DrawnQuantity()}}, 2));
     }
 
+    /// u of three degrees of freedom scatters without end: the interval tells, of which u is a
+    /// quarter.
+    void fewDegreesOfFreedom_goByTheirInterval()
+    {
+        const auto batches = [](double dof, double u, double high) {
+            Batches two{{drawn(0.0, 1.2)}, {drawn(0.0, u)}};
+            for (auto &batch : two)
+                batch[0].leastDof = dof;
+            two[1][0].high = high;
+            return two;
+        };
+        QVERIFY(areStable(batches(3.0, 9.0, 2.4), 2));
+        QVERIFY(areStable(batches(2.0, kUnknown, 2.4), 2));
+        QVERIFY(!areStable(batches(3.0, 1.2, 2.6), 2));
+        QVERIFY(!areStable(batches(2.0, kUnknown, 2.6), 2));
+        QVERIFY(!areStable(batches(5.0, 9.0, 2.4), 2));
+    }
+
     /// Batches of normal numbers: the more there are, the closer their mean.
     void manyBatches_become()
     {

@@ -89,6 +89,26 @@ private slots:
             1e-9));
     }
 
+    /// A level of one shot and that shot are the same value: one U.
+    void shot_hasItAsItsLevel()
+    {
+        const CalibrationResults without = run(stated({}));
+        for (const char *other : {"p1_pa", "gain_relative"}) {
+            const CalibrationResults with = run(stated({{"t1_k", other, -0.9}}));
+            const UncertaintyReport &report = *with.uncertainty;
+            QCOMPARE(report.perLevel.size(), report.ofShots.size());
+            for (std::size_t i = 0; i < report.ofShots.size(); ++i) {
+                const ReportedValue &shot = report.ofShots[i];
+                QVERIFY(isNear(*shot.u, *report.perLevel[i].u));
+                QVERIFY(std::abs(*shot.u / *without.uncertainty->ofShots[i].u - 1.0) > 0.01);
+                double shares = 0.0;
+                for (const UncertaintyLine &line : shot.lines)
+                    shares += shot.sharePercent(line);
+                QVERIFY(isNear(shares, 100.0));
+            }
+        }
+    }
+
     void step_hasItsOwn_andMonteCarloAgrees()
     {
         Recipe recipe = stated({{"p1_pa", "t1_k", 0.9}});

@@ -110,6 +110,7 @@ constexpr std::pair<std::string_view, FindingPlace> kPlaces[]{
     {"UNC-003", {Page::Uncertainty, "drawnResult"}},
     {"UNC-004", {Comparison, "knownList"}},
     {"UNC-005", {Comparison, "knownList"}},
+    {"UNC-006", {Page::Uncertainty, "drawnResult"}},
     {"PRJ-001", {Captures, "shotTable"}},
 };
 
