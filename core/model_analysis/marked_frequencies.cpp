@@ -69,7 +69,8 @@ std::optional<ResonancePeak> resonancePeak(
     for (int i = 0; i < kRounds; ++i) {
         const double left = high - kGolden * (high - low);
         const double right = low + kGolden * (high - low);
-        (gain(left) < gain(right) ? low : high) = gain(left) < gain(right) ? left : right;
+        const bool isRising = gain(left) < gain(right);
+        (isRising ? low : high) = isRising ? left : right;
     }
     const double top_Hz = 0.5 * (low + high);
     return ResonancePeak{top_Hz, gain(top_Hz)};

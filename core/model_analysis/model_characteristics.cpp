@@ -4,7 +4,9 @@
 #include "core/model_analysis/model_characteristics.h"
 
 #include "core/base/constants.h"
+#include "core/model_analysis/bisection.h"
 #include "core/model_analysis/model_response.h"
+#include "core/model_analysis/step_scan.h"
 #include "core/model_analysis/unwrapped_phase.h"
 #include "core/realization/exponentials/exponential_sum.h"
 
@@ -25,200 +27,56 @@ bool hasStepResponse(const SensorModel &model, ResponseTreatment treatment)
     return poles.size() > 0 && (poles.array().real() < 0.0).all();
 }
 
-/// Root of a sign change of `f` between a and b, by bisection to full precision.
-double bisect(const std::function<double(double)> &f, double a, double b)
-{
-    const bool negative = f(a) < 0.0;
-    for (int i = 0; i < 100 && a != b; ++i) {
-        const double middle = 0.5 * (a + b);
-        if (middle == a || middle == b)
-            break;
-        ((f(middle) < 0.0) == negative ? a : b) = middle;
-    }
-    return 0.5 * (a + b);
-}
-
-/// A stretch of time with evenly spaced points.
-struct TimeGrid
-{
-    double begin_s = 0.0;
-    double length_s = 0.0;
-    double rate_Hz = 0.0; ///< points per second, at least
-};
-
-/// Forty points per radian of the fastest remaining part; a part remains until it has decayed to
-/// e^-8 and to 1e-4 of the plateau. So a slow part does not make the grid of a fast one coarse, and
-/// nearly equal poles, whose amplitudes are huge, do not end it early.
-std::vector<TimeGrid> timeGrids(const ExponentialSum &y)
-{
-    constexpr double kMostPoints = 1e6; ///< in all: 80 per period for a zeta of 1e-4
-    constexpr double kLeft = 1e-4;
-    const Index parts = y.poles_rad_s.size();
-    Eigen::ArrayXd ends_s(parts);
-    for (Index i = 0; i < parts; ++i) {
-        const double size = std::abs(y.amplitudes[i]) / kLeft * static_cast<double>(parts);
-        const double timeConstants = size > 0.0 ? std::max(8.0, std::log(size)) : 8.0;
-        ends_s[i] = timeConstants / -y.poles_rad_s[i].real();
-    }
-    std::vector<TimeGrid> grids;
-    double points = 0.0;
-    for (double begin_s = 0.0; begin_s < ends_s.maxCoeff();) {
-        double end_s = ends_s.maxCoeff();
-        double fastest = 0.0;
-        for (Index i = 0; i < parts; ++i) {
-            if (ends_s[i] <= begin_s)
-                continue;
-            end_s = std::min(end_s, ends_s[i]);
-            fastest = std::max(fastest, std::abs(y.poles_rad_s[i]));
-        }
-        grids.push_back({begin_s, end_s - begin_s, 40.0 * fastest});
-        points += grids.back().length_s * grids.back().rate_Hz;
-        begin_s = end_s;
-    }
-    for (TimeGrid &grid : grids)
-        grid.rate_Hz *= std::min(1.0, kMostPoints / points);
-    return grids;
-}
-
-/// Follows a step response from its start and keeps the values that the characteristics need.
-class StepScan
+/// 400 points per decade from 1e-3 of the slowest to 20 times the fastest pole, and further ones at
+/// every resonance, which may be narrower than their spacing; in rising order, as far as asked for.
+class FrequencyGrid
 {
 public:
-    /// `settled`: half width of the range about 1 that is settled.
-    StepScan(const ExponentialSum &y, double settled)
-        : m_y(y)
-        , m_settled(settled)
-        , m_value(y.value(0.0))
-        , m_top(m_value)
+    explicit FrequencyGrid(const SensorModel &model)
     {
-        if (m_value >= 0.1)
-            m_t10 = 0.0;
-        if (m_value >= 0.9)
-            m_t90 = 0.0;
+        constexpr int kPerDecade = 400;
+        const Eigen::ArrayXd rates = normalisedStep(model).poles_rad_s.cwiseAbs();
+        m_from_Hz = 1e-3 * rates.minCoeff() / kTwoPi;
+        m_to_Hz = 20.0 * rates.maxCoeff() / kTwoPi;
+        m_steps = static_cast<int>(std::ceil(std::log10(m_to_Hz / m_from_Hz) * kPerDecade));
+        m_resonant_Hz = resonantFrequencies_Hz(model, m_from_Hz, m_to_Hz);
+        std::ranges::sort(m_resonant_Hz);
     }
 
-    /// Whether what follows can still change something.
-    bool follow(const TimeGrid &grid)
+    std::size_t size() const
     {
-        ExponentialSum later = m_y;
-        later.amplitudes.array() *= (m_y.poles_rad_s.array() * grid.begin_s).exp();
-        const double count = std::ceil(grid.length_s * grid.rate_Hz);
-        const double step_s = grid.length_s / count;
-        const ExponentialSampler sampler(later, step_s);
-        Eigen::VectorXd values;
-        for (Index k = 1; k <= static_cast<Index>(count); ++k) {
-            const double t_s = grid.begin_s + static_cast<double>(k) * step_s;
-            if (k == 1 || k % ExponentialSampler::kBlock == 0) {
-                if (isSettledAfter(t_s - step_s))
-                    return false;
-                values = sampler.block(k / ExponentialSampler::kBlock);
-            }
-            step(t_s, step_s, values[k % ExponentialSampler::kBlock]);
-        }
-        return true;
+        return static_cast<std::size_t>(m_steps) + 1 + m_resonant_Hz.size();
     }
 
-    void describe(StepCharacteristics &result) const
+    /// i-th of them, i below size().
+    double at_Hz(std::size_t i)
     {
-        if (m_t10 && m_t90)
-            result.riseTime_s = *m_t90 - *m_t10;
-        if (m_lastPassage)
-            result.settlingTime_s = crossing(*m_lastPassage);
-        result.overshoot_percent = std::max(0.0, 100.0 * (top() - 1.0));
-        result.top_s = m_topTime_s;
+        while (m_grid_Hz.size() <= i)
+            m_grid_Hz.push_back(next_Hz());
+        return m_grid_Hz[i];
     }
 
 private:
-    /// Between two points in time the response passes a level.
-    struct Passage
+    double next_Hz()
     {
-        double from_s = 0.0;
-        double to_s = 0.0;
-        double level = 0.0;
-    };
-
-    /// No later value leaves the settled range or is above the highest.
-    bool isSettledAfter(double t_s) const
-    {
-        return m_t90 && restAfter(m_y, t_s) < std::min(m_settled, m_top - 1.0);
+        const bool isDone = m_even > m_steps;
+        const double even_Hz = isDone
+            ? 0.0
+            : m_from_Hz * std::pow(m_to_Hz / m_from_Hz, static_cast<double>(m_even) / m_steps);
+        if (m_taken < m_resonant_Hz.size() && (isDone || m_resonant_Hz[m_taken] < even_Hz))
+            return m_resonant_Hz[m_taken++];
+        ++m_even;
+        return even_Hz;
     }
 
-    double crossing(const Passage &passage) const
-    {
-        return bisect(
-            [&](double x) { return m_y.value(x) - passage.level; }, passage.from_s, passage.to_s);
-    }
-
-    void step(double t_s, double step_s, double now)
-    {
-        if (!m_t10 && now >= 0.1)
-            m_t10 = crossing({m_time_s, t_s, 0.1});
-        if (!m_t90 && now >= 0.9)
-            m_t90 = crossing({m_time_s, t_s, 0.9});
-        if (now > m_top) {
-            m_top = now;
-            m_topTime_s = t_s;
-            m_topStep_s = step_s;
-        }
-        if ((std::abs(m_value - 1.0) > m_settled) != (std::abs(now - 1.0) > m_settled)) {
-            const double level = std::abs(m_value - 1.0) > m_settled ? m_value : now;
-            m_lastPassage = {m_time_s, t_s, level > 1.0 ? 1.0 + m_settled : 1.0 - m_settled};
-        }
-        m_time_s = t_s;
-        m_value = now;
-    }
-
-    /// Parabola through the highest grid point and its neighbours; at the onset there is no left
-    /// one.
-    double top() const
-    {
-        const double left = m_y.value(m_topTime_s - m_topStep_s);
-        const double right = m_y.value(m_topTime_s + m_topStep_s);
-        const double curvature = left - 2.0 * m_top + right;
-        if (m_topTime_s == 0.0 || !(curvature < 0.0))
-            return m_top;
-        return m_top - (right - left) * (right - left) / (8.0 * curvature);
-    }
-
-    const ExponentialSum &m_y;
-    double m_settled;
-    double m_time_s = 0.0;
-    double m_value;
-    std::optional<double> m_t10;
-    std::optional<double> m_t90;
-    std::optional<Passage> m_lastPassage; ///< into the settled range or out of it
-    double m_top;
-    double m_topTime_s = 0.0;
-    double m_topStep_s = 0.0;
+    double m_from_Hz = 0.0;
+    double m_to_Hz = 0.0;
+    int m_steps = 0;
+    int m_even = 0;
+    std::size_t m_taken = 0;
+    std::vector<double> m_resonant_Hz;
+    std::vector<double> m_grid_Hz;
 };
-
-StepCharacteristics describedStep(const SensorModel &model, double settled)
-{
-    const ExponentialSum y = normalisedStep(model);
-    StepScan scan(y, settled);
-    for (const TimeGrid &grid : timeGrids(y))
-        if (!scan.follow(grid))
-            break;
-    StepCharacteristics result;
-    scan.describe(result);
-    return result;
-}
-
-/// 400 points per decade from 1e-3 of the slowest to 20 times the fastest pole, and further ones at
-/// every resonance, which may be narrower than their spacing.
-std::vector<double> frequencyGrid_Hz(const SensorModel &model)
-{
-    constexpr int kPerDecade = 400;
-    const Eigen::ArrayXd rates = normalisedStep(model).poles_rad_s.cwiseAbs();
-    const double from_Hz = 1e-3 * rates.minCoeff() / kTwoPi;
-    const double to_Hz = 20.0 * rates.maxCoeff() / kTwoPi;
-    const int steps = static_cast<int>(std::ceil(std::log10(to_Hz / from_Hz) * kPerDecade));
-    std::vector<double> grid_Hz = resonantFrequencies_Hz(model, from_Hz, to_Hz);
-    for (int i = 0; i <= steps; ++i)
-        grid_Hz.push_back(from_Hz * std::pow(to_Hz / from_Hz, static_cast<double>(i) / steps));
-    std::sort(grid_Hz.begin(), grid_Hz.end());
-    return grid_Hz;
-}
 
 void describeBands(
     const SensorModel &model, ResponseTreatment treatment, StepCharacteristics &result)
@@ -230,20 +88,20 @@ void describeBands(
         const std::complex<double> jw(0.0, kTwoPi * frequency_Hz);
         return std::abs(1.0 + (own.amplitudes.array() * jw / (jw - own.poles_rad_s.array())).sum());
     };
-    const std::vector<double> grid_Hz = frequencyGrid_Hz(model);
+    FrequencyGrid grid(model);
     std::vector<double> ratios; // as far as one of the edges asked for them
     const auto ratioOf = [&](std::size_t i) {
         while (ratios.size() <= i)
-            ratios.push_back(ratioAt(grid_Hz[ratios.size()]));
+            ratios.push_back(ratioAt(grid.at_Hz(ratios.size())));
         return ratios[i];
     };
     /// Lowest frequency at which `leaves` of the relative magnitude turns positive.
     const auto firstExit
         = [&](const std::function<double(double)> &leaves) -> std::optional<double> {
-        for (std::size_t i = 1; i < grid_Hz.size(); ++i) {
+        for (std::size_t i = 1; i < grid.size(); ++i) {
             if (leaves(ratioOf(i)) > 0.0)
-                return bisect(
-                    [&](double f_Hz) { return leaves(ratioAt(f_Hz)); }, grid_Hz[i - 1], grid_Hz[i]);
+                return bisect([&](double f_Hz) { return leaves(ratioAt(f_Hz)); }, grid.at_Hz(i - 1),
+                    grid.at_Hz(i));
         }
         return std::nullopt;
     };
@@ -266,16 +124,11 @@ ExponentialSum normalisedStep(const SensorModel &model)
     return sum;
 }
 
-double restAfter(const ExponentialSum &y, double t_s)
-{
-    return (y.amplitudes.array().abs() * (t_s * y.poles_rad_s.array().real()).exp()).sum();
-}
-
 StepCharacteristics stepCharacteristics(const SensorModel &model, ResponseTreatment treatment)
 {
     if (!hasStepResponse(model, treatment))
         return {};
-    StepCharacteristics result = describedStep(model, kSettledRange);
+    StepCharacteristics result = describedStep(normalisedStep(model), kSettledRange);
     describeBands(model, treatment, result);
     return result;
 }
@@ -285,7 +138,7 @@ std::optional<double> settlingTime_s(
 {
     if (!hasStepResponse(model, treatment))
         return std::nullopt;
-    return describedStep(model, settled).settlingTime_s;
+    return describedStep(normalisedStep(model), settled).settlingTime_s;
 }
 
 } // namespace dyncal

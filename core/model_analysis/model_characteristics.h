@@ -3,6 +3,7 @@
 
 #pragma once
 
+#include "core/model_analysis/step_characteristics.h"
 #include "core/realization/exponentials/exponential_sum.h"
 #include "core/realization/model/sensor_model.h"
 #include "core/signal/signal_settings.h"
@@ -11,27 +12,11 @@
 
 namespace dyncal {
 
-/// Characteristics of the model's step response and bands, all from the parametric model, wherever
-/// they lie: what of them may be stated is statedCharacteristics().
-struct StepCharacteristics
-{
-    std::optional<double> riseTime_s;
-    std::optional<double> overshoot_percent;
-    std::optional<double> settlingTime_s;
-    std::optional<double> within5percent_Hz;
-    std::optional<double> within10percent_Hz;
-    std::optional<double> minus3dB_Hz;
-    std::optional<double> top_s = std::nullopt; ///< where the response is highest, after the onset
-};
-
 /// Half width of the range about the level in which a step response has settled.
 inline constexpr double kSettledRange = 0.05;
 
 /// The sensor's answer to a step of 1, t from the onset: without what drifts slower than it.
 ExponentialSum normalisedStep(const SensorModel &model);
-
-/// No later value of the sum is farther from its constant; of poles that decay.
-double restAfter(const ExponentialSum &y, double t_s);
 
 /// Closed: of the continuous model, so that neither rate nor window limits them
 /// (docs/method/response.md). Empty for a free decay and where a pole does not decay.

@@ -5,6 +5,7 @@
 
 #include "core/base/constants.h"
 #include "core/model_analysis/model_characteristics.h"
+#include "core/model_analysis/step_scan.h"
 #include "core/uncertainty/model_noise.h"
 
 #include <algorithm>

@@ -6,6 +6,7 @@
 // calibrations.
 
 #include "core/model_analysis/model_characteristics.h"
+#include "core/model_analysis/step_scan.h"
 #include "core/uncertainty/model_values.h"
 #include "core/uncertainty/settling_spread.h"
 #include "tests/support/damped_shots.h"
