@@ -17,9 +17,27 @@ bool isFor(const CapabilityEntry &entry, const std::string &of, double frequency
             || (frequency_Hz >= entry.from_Hz && (!entry.to_Hz || frequency_Hz <= *entry.to_Hz)));
 }
 
+/// Q is 1/(2 damping): what the laboratory can of the one it can of the other, relative to both.
+double leastOfReciprocal(
+    const std::vector<CapabilityEntry> &cmc, const char *other, const ReportedValue &reported)
+{
+    const double value = 0.5 / reported.value;
+    return leastExpanded(cmc, other, value) * std::abs(reported.value / value);
+}
+
+double leastOf(const std::vector<CapabilityEntry> &cmc, const ReportedValue &reported)
+{
+    const double own = leastExpanded(cmc, reported.of, reported.value);
+    if (reported.of == "q")
+        return std::max(own, leastOfReciprocal(cmc, "damping_ratio", reported));
+    if (reported.of == "damping_ratio")
+        return std::max(own, leastOfReciprocal(cmc, "q", reported));
+    return own;
+}
+
 void holdValue(const std::vector<CapabilityEntry> &cmc, ReportedValue &reported)
 {
-    reported.leastExpanded = leastExpanded(cmc, reported.of, reported.value);
+    reported.leastExpanded = leastOf(cmc, reported);
     if (reported.u)
         combineLines(reported);
 }

@@ -145,6 +145,24 @@ private slots:
         QCOMPARE(other.findings.size(), 2);
     }
 
+    /// Q = 1/(2 damping) has the same relative U: neither is stated better than the other.
+    void dampingAndQ_holdEachOther()
+    {
+        UncertaintyReport report;
+        for (const auto &[of, size] : {std::pair("damping_ratio", 0.05), std::pair("q", 10.0)}) {
+            report.ofModel.push_back({of, size, "", {directLine("noise", 1e-4 * size)}});
+            combineLines(report.ofModel.back());
+        }
+        for (const auto &entry :
+            {relative("damping_ratio", 0.02), relative("q", 0.02),
+                CapabilityEntry{"damping_ratio", 0.001, false}, CapabilityEntry{"q", 0.2, false}}) {
+            UncertaintyReport held = report;
+            holdToCapability({entry}, ResponseResult(), held);
+            for (const ReportedValue &one : held.ofModel)
+                QVERIFY2(isNear(*one.expanded(), 0.02 * one.value), one.of.c_str());
+        }
+    }
+
     void absoluteOne_holdsTheModelToo()
     {
         UncertaintyReport report = *m_results.uncertainty;
