@@ -5,6 +5,7 @@
 
 #include "core/base/calendar_date.h"
 #include "core/project/capability_quantities.h"
+#include "core/project/correlated_quantities.h"
 #include "core/project/recipe_limits.h"
 
 namespace dyncal {
@@ -51,12 +52,9 @@ Codec<CapabilityEntry> capabilityEntry()
     });
 }
 
-/// Quantities with one value at all places; those of sensors by place are not correlated by name.
 Codec<std::string> correlatedQuantity()
 {
-    return oneOf({"p1_pa", "t1_k", "gamma", "molar_mass_kg_mol", "relative_humidity",
-        "carbon_dioxide_fraction", "velocity_m_s", "step_relative", "gain_relative",
-        "linearity_relative", "mounting_relative", "reference_gain_relative"});
+    return oneOf({kCorrelatedQuantities.begin(), kCorrelatedQuantities.end()});
 }
 
 Codec<CorrelationEntry> correlationEntry()

@@ -257,9 +257,6 @@ constexpr Tip kTips[]{
         QT_TRANSLATE_NOOP("ControlTips", "No longer divide the chain's response out of S(f)")},
     {"chainList",
         QT_TRANSLATE_NOOP("ControlTips", "Which list of the certificate is meant, by its id")},
-    {"knownList",
-        QT_TRANSLATE_NOOP(
-            "ControlTips", "Entries of the recipe; the selected one stands in the fields below")},
     {"knownLabel",
         QT_TRANSLATE_NOOP("ControlTips", "What the certificate calls the other calibration")},
     {"knownCertificate",
@@ -273,16 +270,15 @@ constexpr Tip kTips[]{
     {"knownU",
         QT_TRANSLATE_NOOP(
             "ControlTips", "Its expanded uncertainty, in the unit of the value, at k = 2")},
-    {"knownAdd",
-        QT_TRANSLATE_NOOP(
-            "ControlTips", "Put what stands in the fields into the recipe, as a further entry")},
-    {"knownReplace",
-        QT_TRANSLATE_NOOP(
-            "ControlTips", "Put what stands in the fields in the place of the selected entry")},
-    {"knownRemove", QT_TRANSLATE_NOOP("ControlTips", "Take the selected entry out of the recipe")},
-    {"capabilityList",
-        QT_TRANSLATE_NOOP(
-            "ControlTips", "Entries of the recipe; the selected one stands in the fields below")},
+    {"correlationOf",
+        QT_TRANSLATE_NOOP("ControlTips",
+            "An input of the budget whose error goes along with another's; the budget must state its u")},
+    {"correlationWith",
+        QT_TRANSLATE_NOOP("ControlTips",
+            "The other input, as where one instrument or one certificate is behind both")},
+    {"correlationR",
+        QT_TRANSLATE_NOOP("ControlTips",
+            "The part of their variance that both have in common, -1 to 1; negative where they err the opposite way")},
     {"capabilityOf",
         QT_TRANSLATE_NOOP(
             "ControlTips", "What the laboratory is accredited for: no smaller U of it is stated")},
@@ -296,14 +292,6 @@ constexpr Tip kTips[]{
         QT_TRANSLATE_NOOP("ControlTips", "Lowest frequency of the entry; empty: from 0 on")},
     {"capabilityTo",
         QT_TRANSLATE_NOOP("ControlTips", "Highest frequency of the entry; empty: without end")},
-    {"capabilityAdd",
-        QT_TRANSLATE_NOOP(
-            "ControlTips", "Put what stands in the fields into the recipe, as a further entry")},
-    {"capabilityReplace",
-        QT_TRANSLATE_NOOP(
-            "ControlTips", "Put what stands in the fields in the place of the selected entry")},
-    {"capabilityRemove",
-        QT_TRANSLATE_NOOP("ControlTips", "Take the selected entry out of the recipe")},
     {"decisionRule",
         QT_TRANSLATE_NOOP(
             "ControlTips", "How deviation and uncertainty decide whether the sensor conforms")},
@@ -343,6 +331,30 @@ constexpr Tip kTips[]{
     {"copyProblems", QT_TRANSLATE_NOOP("ControlTips", "Put the list on the clipboard")},
     {"dismissProblems", QT_TRANSLATE_NOOP("ControlTips", "Close the list; nothing is changed")},
 };
+
+/// Of every list of entries in the recipe (EntryList), whose controls share a beginning.
+constexpr const char *kEntryLists[]{"known", "correlation", "capability"};
+constexpr Tip kEntryTips[]{
+    {"List",
+        QT_TRANSLATE_NOOP(
+            "ControlTips", "Entries of the recipe; the selected one stands in the fields below")},
+    {"Add",
+        QT_TRANSLATE_NOOP(
+            "ControlTips", "Put what stands in the fields into the recipe, as a further entry")},
+    {"Replace",
+        QT_TRANSLATE_NOOP(
+            "ControlTips", "Put what stands in the fields in the place of the selected entry")},
+    {"Remove", QT_TRANSLATE_NOOP("ControlTips", "Take the selected entry out of the recipe")},
+};
+
+const char *sentenceOfEntries(const QString &name)
+{
+    for (const char *list : kEntryLists)
+        for (const auto &[part, sentence] : kEntryTips)
+            if (name == QLatin1String(list) + QLatin1String(part))
+                return sentence;
+    return nullptr;
+}
 
 /// The longest entry that the name is, or, for one that ends in '_' or a digit, begins with.
 const char *sentenceFor(const QString &name)
@@ -416,8 +428,9 @@ bool ControlTips::eventFilter(QObject *watched, QEvent *event)
 
 QString tipFor(const QString &objectName)
 {
-    if (const char *sentence = sentenceFor(objectName))
-        return Tips::tr(sentence);
+    for (const auto find : {sentenceFor, sentenceOfEntries})
+        if (const char *sentence = find(objectName))
+            return Tips::tr(sentence);
     if (objectName.endsWith(QLatin1String("Auto")))
         return Tips::tr("Ticked, the program decides, and the field shows what it took");
     for (const char *part : {"Value", "Begin", "End"})

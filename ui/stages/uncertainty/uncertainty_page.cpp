@@ -11,6 +11,7 @@
 #include "ui/stages/uncertainty/budget_table.h"
 #include "ui/stages/uncertainty/budget_words.h"
 #include "ui/stages/uncertainty/capability_panel.h"
+#include "ui/stages/uncertainty/correlation_panel.h"
 #include "ui/stages/uncertainty/share_bar.h"
 #include "ui/stages/uncertainty/what_if_panel.h"
 #include "ui/text/quantity_format.h"
@@ -56,6 +57,7 @@ UncertaintyPage::UncertaintyPage(Session &session)
     buildChoice();
     m_panel = new WhatIfPanel(session, *inspector(), this);
     buildWanted();
+    new CorrelationPanel(session, *inspector(), this);
     new CapabilityPanel(session, *inspector(), this);
     connect(m_panel, &WhatIfPanel::changed, this, &UncertaintyPage::showBudgets);
     connect(m_lines, &QTableWidget::itemSelectionChanged, this, &UncertaintyPage::chooseInput);
