@@ -6,8 +6,6 @@
 namespace dyncal {
 namespace {
 
-constexpr auto kOfStep = static_cast<Index>(StepResult::Step);
-
 UncertaintyLine lineOf(const BudgetLine &line, const ShotSensitivity &shot)
 {
     UncertaintyLine part;
@@ -17,7 +15,7 @@ UncertaintyLine lineOf(const BudgetLine &line, const ShotSensitivity &shot)
     part.distribution = line.input.distribution;
     part.dof = line.input.dof;
     part.correlated = line.input.correlated;
-    part.contribution = -line.contribution[kOfStep] / *shot.step_Pa;
+    part.contribution = -line.contribution[static_cast<Index>(StepResult::Step)] / *shot.step_Pa;
     part.sensitivity = part.u > 0.0 ? part.contribution / part.u : 0.0;
     if (line.input.common)
         return part;

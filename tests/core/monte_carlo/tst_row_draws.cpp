@@ -68,7 +68,7 @@ std::vector<DrawnRow> drawn(const Made &made, double u_common = 0.01, bool isKno
     const RowUncertainty rows = rowUncertainty(made.response,
         isKnown ? std::optional(CommonLines{lines, lines}) : std::nullopt, {}, {},
         ResponseTreatment::StepDeflated);
-    return *drawnRows(plan, trials, made.response, rows, 0.95);
+    return *drawnRows(plan, trials, made.response, rows, {0.95, 1});
 }
 
 std::vector<DrawnRow> drawn(
@@ -167,7 +167,7 @@ private slots:
             trials.front_s[i] = 100e-9 * (static_cast<double>(i) + 0.5) / kTrials;
         RowUncertainty rows
             = rowUncertainty(made, CommonLines{}, {}, {}, ResponseTreatment::StepDeflated);
-        const DrawnRow row = (*drawnRows(plan, trials, made, rows, 0.95))[0];
+        const DrawnRow row = (*drawnRows(plan, trials, made, rows, {0.95, 1}))[0];
         const auto over = [](double T_s) {
             const double x = std::numbers::pi * 3e6 * T_s;
             return 2.0 * x / std::sin(x);
@@ -219,7 +219,7 @@ private slots:
         const TrialBlock trials{0, Eigen::MatrixXd(10, 0), Eigen::VectorXd::Ones(10),
             Eigen::VectorXd::Zero(10), Eigen::VectorXd::Zero(10)};
         const auto rows = drawnRows(
-            plan, trials, made.response, made.report.rows, 0.95, {stop.get_token(), {}});
+            plan, trials, made.response, made.report.rows, {0.95, 1}, {stop.get_token(), {}});
         QVERIFY(!rows);
         QCOMPARE(rows.error().kind, ErrorKind::Cancelled);
     }

@@ -106,19 +106,17 @@ private slots:
     {
         QTest::addColumn<double>("zeta");
         QTest::newRow("at a jump: fourth swing 5 %") << dampingOf(4, 0.05);
-        QTest::newRow("just before a jump: 4.95 %") << dampingOf(4, 0.0495);
         QTest::newRow("just behind it: 5.05 %") << dampingOf(4, 0.0505);
-        QTest::newRow("first swing 4.9 %") << dampingOf(1, 0.049);
         QTest::newRow("first swing 5.1 %") << dampingOf(1, 0.051);
         QTest::newRow("far from one") << dampingOf(4, 0.058);
         QTest::newRow("weakly damped") << 0.05;
         QTest::newRow("overdamped") << 1.2;
     }
-    /// Of 60, 95 % each: fewer than 51 in one of a thousand.
+    /// Of 40, 95 % each: fewer than 34 in one of three thousand.
     void interval_holdsTheTruth()
     {
         QFETCH(double, zeta);
-        const int runs = trials::count(60, 1000);
+        const int runs = trials::count(40, 1000);
         const double truth_s = settlingOf(zeta);
         int held = 0;
         for (int seed = 1; seed <= runs; ++seed) {
@@ -127,12 +125,12 @@ private slots:
             held += std::abs(found_s - truth_s) <= 2.0 * spreadOf(made) ? 1 : 0;
         }
         qInfo("%d of %d", held, runs);
-        QVERIFY(held >= (runs == 60 ? 51 : 0.93 * runs));
+        QVERIFY(held >= (runs == 40 ? 34 : 0.93 * runs));
     }
 
     void farFromAJump_itIsTheScatter()
     {
-        constexpr int kRuns = 60;
+        constexpr int kRuns = 40;
         const double zeta = dampingOf(4, 0.065);
         const double truth_s = settlingOf(zeta);
         double squares = 0.0;
@@ -143,14 +141,16 @@ private slots:
             squares += std::pow(error_s / spreadOf(made), 2) / kRuns;
         }
         qInfo("%.2f", squares);
-        QVERIFY(squares > 0.4 && squares < 1.7); // u may be somewhat wide, for it is a secant's
+        QVERIFY(squares > 0.3 && squares < 1.7); // u may be somewhat wide, for it is a secant's
     }
 
-    void nearAJump_aQuarterOfAWaveIsInU()
+    /// From where the third swing (10.6 %) enters the range, 62 degrees behind its top, to the top
+    /// of the fourth: 118 of 180 degrees, half of which counts as u.
+    void nearAJump_itIsInU()
     {
         const double half_s = 0.5 / kF0_Hz;
         const Made made = madeOf(dampingOf(4, 0.0502), 3, 0.005);
-        QVERIFY(spreadOf(made) > 0.35 * half_s && spreadOf(made) < half_s);
+        QVERIFY(spreadOf(made) > 0.3 * half_s && spreadOf(made) < 0.4 * half_s);
         QVERIFY(spreadOf(madeOf(dampingOf(4, 0.0502), 3, 1e-5)) < 0.1 * half_s);
     }
 
