@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <optional>
 #include <string>
 
@@ -119,8 +120,9 @@ Finding tooLargeFinding(const DifferentUs &values, Index compared)
 /// How far apart both are, whichever way: by spread, or by place in units of the spread.
 double distanceOf(const RefittedValue &value)
 {
-    return std::max(
+    const double distance = std::max(
         std::abs(std::log(value.u_refits / value.u_draws)), std::abs(value.shift / value.u_draws));
+    return std::isfinite(distance) ? distance : std::numeric_limits<double>::infinity();
 }
 
 Finding failedRefits(const RefitCheck &check)
@@ -159,7 +161,7 @@ Findings judgeRefits(const RefitCheck &check)
         return {failedRefits(check)};
     const RefittedValue *worst = nullptr;
     for (const RefittedValue &one : check.values)
-        if (!one.agrees && (!worst || !(distanceOf(one) <= distanceOf(*worst))))
+        if (!one.agrees && (!worst || distanceOf(one) > distanceOf(*worst)))
             worst = &one;
     return {disagreeingRefits(check, *worst)};
 }

@@ -129,9 +129,10 @@ std::vector<ReportedValue> modelValues(const SensorModel &model, const ModelAsse
     Spread u = spreadOf(moved);
     const auto assessed = sensorResonance(&model, &assessment);
     const double wider = assessed ? takeAssessed(*assessed, u) : 1.0;
-    if (std::isfinite(values.settlingTime_s))
-        *memberOf(u, &CharacteristicValues::settlingTime_s)
-            = settlingSpread_s(model, variations, treatment, wider);
+    if (std::isfinite(values.settlingTime_s)) {
+        double &ofSettling_s = *memberOf(u, &CharacteristicValues::settlingTime_s);
+        ofSettling_s = settlingSpread_s(model, variations, treatment, ofSettling_s, wider);
+    }
     const auto ofFront = frontLines(model, pair, treatment, response.front);
     const auto withoutWeak = valuesWithoutWeak(model, pair, treatment);
     std::vector<ReportedValue> reported;

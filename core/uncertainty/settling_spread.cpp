@@ -4,6 +4,7 @@
 #include "core/uncertainty/settling_spread.h"
 
 #include "core/base/constants.h"
+#include "core/base/interval.h"
 #include "core/model_analysis/model_characteristics.h"
 #include "core/model_analysis/step_scan.h"
 #include "core/uncertainty/model_noise.h"
@@ -54,6 +55,11 @@ std::optional<Swing> swingFrom(const ExponentialSum &y, double begin_s, double l
     return std::nullopt;
 }
 
+bool isRise(const Swing &swing)
+{
+    return swing.begin_s == 0.0;
+}
+
 /// The swing in which the response settles, and that after it with the largest deviation; the
 /// second only where it swings on.
 struct LastSwings
@@ -93,42 +99,51 @@ double relativeSpreadAt(
     return spreadAt(variations, t_s) / std::abs(deviationAt(y, t_s));
 }
 
-/// Half of how far the settling time may go where all deviations are e^(+-2 u) as large.
-double reachOfSize(
-    const SensorModel &model, ResponseTreatment treatment, double settling_s, double u_relative)
+/// Where the settling time may go if all deviations are e^(+-2 u) as large.
+Interval reachOfSize(const SensorModel &model, ResponseTreatment treatment, double u_relative)
 {
-    double farthest_s = 0.0;
-    for (const double sign : {-1.0, 1.0}) {
-        const double range = kSettledRange * std::exp(sign * kReach * u_relative);
-        const double then_s = settlingTime_s(model, treatment, range).value_or(0.0);
-        farthest_s = std::max(farthest_s, std::abs(then_s - settling_s));
-    }
-    return farthest_s / kReach;
+    const auto timeAt = [&](double factor) {
+        return settlingTime_s(model, treatment, kSettledRange * factor).value_or(0.0);
+    };
+    const double size = std::exp(kReach * u_relative);
+    return {timeAt(size), timeAt(1.0 / size)};
+}
+
+/// Relative u of the swings that decide: the last one, unless it is the rise, which begins at -1
+/// whatever the model, and the largest one after it.
+double spreadOfSizes(const ExponentialSum &y, const std::vector<ModelVariation> &variations,
+    const LastSwings &swings)
+{
+    double u_relative = 0.0;
+    if (!isRise(swings.last))
+        u_relative = relativeSpreadAt(y, variations, swings.last.top_s);
+    if (swings.next)
+        u_relative = std::max(u_relative, relativeSpreadAt(y, variations, swings.next->top_s));
+    return u_relative;
 }
 
 } // namespace
 
 double settlingSpread_s(const SensorModel &model, const std::vector<ModelVariation> &variations,
-    ResponseTreatment treatment, double wider)
+    ResponseTreatment treatment, double derivative_s, double wider)
 {
     const auto settling_s = settlingTime_s(model, treatment, kSettledRange);
     if (variations.empty() || !settling_s)
         return kUnknown;
     const ExponentialSum y = normalisedStep(model);
     const auto swings = lastSwings(y, *settling_s);
-    if (!swings) {
-        const double u_relative = relativeSpreadAt(y, variations, *settling_s);
-        return reachOfSize(model, treatment, *settling_s, wider * u_relative);
-    }
+    if (!swings)
+        return derivative_s;
     const Swing &last = swings->last;
-    const bool isRise = last.begin_s == 0.0; // it begins at -1, whatever the model
-    double u_relative = relativeSpreadAt(y, variations, isRise ? *settling_s : last.top_s);
-    if (swings->next)
-        u_relative = std::max(u_relative, relativeSpreadAt(y, variations, swings->next->top_s));
-    const double ofTime_s
-        = isRise ? 0.0 : spreadAt(variations, last.end_s) / std::abs(y.derivative(last.end_s, 1));
-    return std::hypot(
-        reachOfSize(model, treatment, *settling_s, wider * u_relative), wider * ofTime_s);
+    const Interval reach
+        = reachOfSize(model, treatment, wider * spreadOfSizes(y, variations, *swings));
+    if (reach.begin > last.begin_s && reach.end < last.end_s)
+        return derivative_s;
+    const double ofSize_s = std::max(reach.end - *settling_s, *settling_s - reach.begin) / kReach;
+    const double ofTime_s = isRise(last)
+        ? 0.0
+        : spreadAt(variations, last.end_s) / std::abs(y.derivative(last.end_s, 1));
+    return std::hypot(ofSize_s, wider * ofTime_s);
 }
 
 } // namespace dyncal

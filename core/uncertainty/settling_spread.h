@@ -17,9 +17,11 @@ namespace dyncal {
 /// Two things move it (docs/method/uncertainty.md): the size of the swings, whose relative u is
 /// that of the swings before and after, and the time of their passages through 1. A larger size is
 /// the same as a narrower range, so that the time at the range times e^(+-2 u) is where it may
-/// reach; half of the farther reach counts as u. `wider`: how much more than by the noise
-/// everything scatters. Unknown without variations or without a settling time.
+/// reach; half of the farther reach counts as u. Where both ends lie in the swing in which it
+/// settles nothing jumps, and u is `derivative_s`, what the variations make of the time itself.
+/// `wider`: how much more than by the noise everything scatters (it is in `derivative_s`). Unknown
+/// without variations or without a settling time.
 double settlingSpread_s(const SensorModel &model, const std::vector<ModelVariation> &variations,
-    ResponseTreatment treatment, double wider);
+    ResponseTreatment treatment, double derivative_s, double wider);
 
 } // namespace dyncal

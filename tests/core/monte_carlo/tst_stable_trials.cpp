@@ -65,6 +65,7 @@ private slots:
             Batches two{{drawn(0.0, 1.2)}, {drawn(0.0, u)}};
             for (auto &batch : two)
                 batch[0].leastDof = dof;
+            two[1][0].low = -2.4;
             two[1][0].high = high;
             return two;
         };
