@@ -77,7 +77,7 @@ private slots:
         QVERIFY(std::abs(shot["at_s"].toDouble() - 400e-6) < 0.1e-6);
         QVERIFY(std::abs(shot["level"].toDouble() - 0.25) < 1e-4);
         for (const char *file : {"pressure_shot_001.csv", "filter.json", "filter.csv",
-                 "filter_errors.csv", "filter.mat", "filter.py", "written.json"})
+                 "filter_errors.csv", "filter.mat", "filter.py", "calibration.json", "written.json"})
             QVERIFY2(QFile::exists(path("pressure/") + file), file);
     }
 
@@ -87,7 +87,7 @@ private slots:
         QVERIFY(correct({"--band", "1e6"}, "once").exitCode <= 1);
         QVERIFY(correct({"--band", "1e6"}, "twice").exitCode <= 1);
         const QStringList files = QDir(path("once")).entryList(QDir::Files);
-        QCOMPARE(files.size(), 8);
+        QCOMPARE(files.size(), 9);
         for (const QString &file : files) {
             QFile a(path("once/" + file)), b(path("twice/" + file));
             QVERIFY(a.open(QIODevice::ReadOnly) && b.open(QIODevice::ReadOnly));
