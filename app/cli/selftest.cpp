@@ -110,7 +110,7 @@ void addSelfTest(CLI::App &program, VerbAction &action)
             "-o,--output", options->output, "Folder for the report, selftest.pdf and selftest.json")
         ->type_name("DIR");
     verb->add_option(
-            "--calibrations", options->calibrations, "Of the coverage study (40); 0 leaves it out")
+            "--calibrations", options->calibrations, "Of the coverage study (40); 0 leaves it out, else at least 6")
         ->type_name("N");
     verb->add_flag("--json", options->json, "As JSON");
     verb->footer("Exit code 2 where something deviates.\n"
