@@ -21,14 +21,23 @@ std::string resultsFile(const std::string &given)
     return fs::is_directory(given, error) ? (fs::path(given) / "results.json").string() : given;
 }
 
-/// The first sample rate of a DUT's channel; 0 where there is none.
-double rateOf(const CaptureSet &set)
+/// The sample rate of the first DUT's channel; every included shot needs one.
+Result<double> rateOf(const CaptureSet &set)
 {
-    for (const Shot &shot : set.shots)
-        if (const Channel *channel = shot.channelWithRole(ChannelRole::Dut);
-            channel && shot.included)
-            return channel->sampleRate_Hz;
-    return 0.0;
+    std::optional<double> rate_Hz;
+    for (std::size_t i = 0; i < set.shots.size(); ++i) {
+        if (!set.shots[i].included)
+            continue;
+        const Channel *channel = set.shots[i].channelWithRole(ChannelRole::Dut);
+        if (!channel)
+            return fail(ErrorKind::DataBlocked,
+                {DYNCAL_TEXT("core",
+                     "Shot %1 has no channel of the DUT; name it (import.channels of a recipe)."),
+                    {std::to_string(i + 1)}},
+                "CAP-002", static_cast<Index>(i) + 1);
+        rate_Hz = rate_Hz.value_or(channel->sampleRate_Hz);
+    }
+    return rate_Hz.value_or(0.0);
 }
 
 bool isOfDut(const Finding &finding, const CaptureSet &set)
@@ -39,19 +48,12 @@ bool isOfDut(const Finding &finding, const CaptureSet &set)
     });
 }
 
-Result<ShotPressure> correctShot(const Shot &shot, Index number, const CorrectionFilter &filter,
-    const RecordOptions &options, const JobControl &control)
+Result<ShotPressure> correctShot(const Channel &channel, Index number,
+    const CorrectionFilter &filter, const RecordOptions &options, const JobControl &control)
 {
-    const Channel *channel = shot.channelWithRole(ChannelRole::Dut);
-    if (!channel)
-        return fail(ErrorKind::DataBlocked,
-            {DYNCAL_TEXT("core",
-                 "Shot %1 has no channel of the DUT; name it (import.channels of a recipe)."),
-                {std::to_string(number)}},
-            "CAP-002", number);
-    return recordPressure(*channel, number, filter, options, control)
+    return recordPressure(channel, number, filter, options, control)
         .map([&](const RecordPressure &record) {
-            return ShotPressure{number, channel->name, record};
+            return ShotPressure{number, channel.name, record};
         });
 }
 
@@ -62,8 +64,8 @@ Result<CorrectionOutcome> correctShots(CorrectionOutcome outcome, const CaptureS
         if (!set.shots[i].included)
             continue;
         const JobControl part = control.part(i, set.shots.size());
-        Result<ShotPressure> shot = correctShot(
-            set.shots[i], static_cast<Index>(i) + 1, outcome.filter, options, part);
+        Result<ShotPressure> shot = correctShot(*set.shots[i].channelWithRole(ChannelRole::Dut),
+            static_cast<Index>(i) + 1, outcome.filter, options, part);
         if (!shot)
             return tl::unexpected<Error>(shot.error());
         outcome.shots.push_back(std::move(*shot));
@@ -110,8 +112,9 @@ Result<CorrectionOutcome> correctRecordings(const CalibrationSource &calibration
     const CaptureSet &set, const CorrectionSettings &filter, const RecordOptions &options,
     const JobControl &control)
 {
-    Result<CorrectionFilter> designed
-        = designCorrection(calibration.says.response, rateOf(set), filter);
+    Result<CorrectionFilter> designed = rateOf(set).and_then([&](double rate_Hz) {
+        return designCorrection(calibration.says.response, rate_Hz, filter);
+    });
     if (!designed)
         return tl::unexpected<Error>(designed.error());
     CorrectionOutcome outcome;

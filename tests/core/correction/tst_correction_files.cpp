@@ -163,6 +163,12 @@ private slots:
         QVERIFY(std::abs(double(shot["u_largest_pa"]) / 500.0 - 1.0) < 0.1); // the gain's
     }
 
+    /// With it and the recordings the correction can be repeated.
+    void calibration_isKeptAsItWas()
+    {
+        QCOMPARE(contentOf(path("calibration.json")), QByteArray("{}"));
+    }
+
     void filterJson_saysWhatTheTapsAre()
     {
         const Json json = jsonAt(path("filter.json"));
