@@ -112,7 +112,7 @@ void MainMenus::addFileMenu()
     addAction(menu, "saveAllPlotsAction", tr("Save all p&lots..."), QKeySequence("Ctrl+Shift+P"),
         m_parts.savePlots);
     menu->addSeparator();
-    addAction(menu, "correctAction", tr("&Correct a recording..."), {},
+    addAction(menu, "correctAction", tr("Correct a recordi&ng..."), {},
         [this] { m_parts.tools.correctRecording(); });
     menu->addSeparator();
     addAction(

@@ -128,7 +128,7 @@ PlotWidget *CorrectionView::addPlot(
     return plot;
 }
 
-void CorrectionView::show(const CorrectionReport &report)
+void CorrectionView::showReport(const CorrectionReport &report)
 {
     showPlots(report);
     m_filter->setVisible(report.outcome != nullptr);

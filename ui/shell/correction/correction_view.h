@@ -26,7 +26,7 @@ class CorrectionView : public QWidget
 public:
     explicit CorrectionView(SharedCursors &cursors, QWidget *parent = nullptr);
 
-    void show(const CorrectionReport &report);
+    void showReport(const CorrectionReport &report);
     /// Why what is on show is out of date; empty where it is not.
     void setNotice(const QString &sentence);
 

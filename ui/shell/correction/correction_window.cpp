@@ -76,7 +76,7 @@ void CorrectionWindow::buildContents()
     connect(m_form, &CorrectionForm::resultsWanted, this, &CorrectionWindow::chooseResults);
     connect(m_form, &CorrectionForm::recordingsWanted, this, &CorrectionWindow::chooseRecordings);
     if (m_report)
-        m_view->show(*m_report);
+        m_view->showReport(*m_report);
     showState();
 }
 
@@ -196,7 +196,7 @@ void CorrectionWindow::correct()
             const JobControl &control) { return correctionReport(task, control); },
         [this](Result<CorrectionReport> report) {
             if (report)
-                show(std::move(*report));
+                showReport(std::move(*report));
             else
                 fail(report.error());
         },
@@ -204,11 +204,11 @@ void CorrectionWindow::correct()
     begin(State::Correcting);
 }
 
-void CorrectionWindow::show(CorrectionReport report)
+void CorrectionWindow::showReport(CorrectionReport report)
 {
     m_report = std::move(report);
     m_isCurrent = true;
-    m_view->show(*m_report);
+    m_view->showReport(*m_report);
     end(State::Corrected);
 }
 

@@ -53,7 +53,7 @@ private:
     void begin(State state);
     void end(State state);
     void fail(const Error &error);
-    void show(CorrectionReport report);
+    void showReport(CorrectionReport report);
     void setOutdated();
     void showState();
     QString sentence() const;

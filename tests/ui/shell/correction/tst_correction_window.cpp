@@ -8,11 +8,13 @@
 #include "tests/support/test_program.h"
 #include "tests/ui/shell/window_bench.h"
 #include "tests/ui/support/event_loop_watchdog.h"
+#include "tests/ui/support/layout_faults.h"
 #include "tests/ui/support/quick_pipeline.h"
 #include "tests/ui/support/recording_files.h"
 #include "ui/plot/widget/plot_widget.h"
 #include "ui/shell/correction/correction_form.h"
 #include "ui/shell/correction/correction_window.h"
+#include "ui/shell/preferences/theme_style.h"
 #include "ui/stages/frame/value_table.h"
 
 #include <QComboBox>
@@ -175,6 +177,7 @@ private slots:
     void work_doesNotHoldTheWindow();
     void secondCall_bringsTheSameWindow();
     void language_changesEverything();
+    void everyLook_canBeRead();
 };
 
 void TestCorrectionWindow::opened_saysWhatToDo_andIsNotModal()
@@ -525,6 +528,36 @@ void TestCorrectionWindow::language_changesEverything()
     QTRY_COMPARE(bench.dialog->windowTitle(), QString("Correct a recording"));
     bench.save("english");
     compareFolders(bench.path("swedish"), bench.path("english"));
+}
+
+/// Both languages, light and dark, small and large; the pictures go where $DYNCAL_SHOTS says.
+void TestCorrectionWindow::everyLook_canBeRead()
+{
+    CorrectionBench bench;
+    MadeJson root = MadeResults().json();
+    root["findings"].push_back({{"id", "UNC-001"}, {"severity", "caution"}});
+    test::writeFile(bench.path("results.json"), QByteArray::fromStdString(jsonText(root)));
+    bench.correctPulse();
+    const QString shots = qEnvironmentVariable("DYNCAL_SHOTS");
+    QStringList faults;
+    for (const QString &language : {QString("sv"), QString("en")}) {
+        bench.language.install(language);
+        for (const ThemeKind theme : {ThemeKind::Light, ThemeKind::Dark}) {
+            useTheme(theme);
+            for (const QSize &size : {QSize(1000, 640), QSize(1200, 800)}) {
+                bench.dialog->resize(size);
+                QTest::qWait(200);
+                const QString look
+                    = QString("%1-%2-%3").arg(language, themeName(theme)).arg(size.width());
+                for (const QString &fault : test::LayoutFaults(*bench.dialog).found())
+                    faults << look + ": " + fault;
+                if (!shots.isEmpty())
+                    QVERIFY(bench.dialog->grab().save(QDir(shots).filePath(look + ".png")));
+            }
+        }
+    }
+    useTheme(ThemeKind::Light);
+    QVERIFY2(faults.isEmpty(), qPrintable(faults.join('\n')));
 }
 
 DYNCAL_TEST(TestCorrectionWindow)
