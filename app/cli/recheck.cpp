@@ -84,15 +84,15 @@ Result<CaptureSet> recordingsOf(const EarlierRun &run, const NamedRecordings &re
         "CAP-015");
 }
 
-/// Of the Monte Carlos nothing is compared but their findings: where all that they are drawn from is
-/// as issued, to the last bit and by the same methods, these are, too.
+/// Of the Monte Carlos nothing is compared but their findings: where all that they are drawn from
+/// is as issued, to the last bit and by the same methods, these are, too.
 Result<RecheckedRun> computedAgain(const CaptureSet &set, const EarlierRun &run)
 {
     ResultCache cache;
-    const auto early = resultsNow(set, run, StageId::Evidence, cache)
-                           .map([&](const nlohmann::json &now) {
-                               return recheckedRun(run, now, {}, RecheckDepth::ToEvidence);
-                           });
+    const auto early
+        = resultsNow(set, run, StageId::Evidence, cache).map([&](const nlohmann::json &now) {
+              return recheckedRun(run, now, {}, RecheckDepth::ToEvidence);
+          });
     if (!early || early->isAsIssued())
         return early;
     return resultsNow(set, run, kLastStage, cache).map([&](const nlohmann::json &now) {

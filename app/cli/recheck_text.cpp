@@ -98,8 +98,8 @@ std::string verdictOf(const RecheckedRun &run)
 {
     if (run.isNewlyBlocked())
         return "now blocked by " + presentable(run.blockedNow);
-    const auto count = std::ranges::count_if(run.quantities.list,
-        [](const auto &one) { return one.isOverU() || one.isGone(); });
+    const auto count = std::ranges::count_if(
+        run.quantities.list, [](const auto &one) { return one.isOverU() || one.isGone(); });
     return count == 0 ? "none" : std::to_string(count) + " over U, withdrawn or in another unit";
 }
 

@@ -48,7 +48,7 @@ struct CorrectedPressure
 /// the stretch is too short, (DataBlocked) where a value is not finite, (Cancelled) when asked to
 /// stop.
 Result<CorrectedPressure> correctedPressure(const RecordedStretch &stretch,
-    const NoiseDensity &noise, const CorrectionFilter &filter,
-    std::optional<double> beyond_Pa = {}, const JobControl &control = {});
+    const NoiseDensity &noise, const CorrectionFilter &filter, std::optional<double> beyond_Pa = {},
+    const JobControl &control = {});
 
 } // namespace dyncal

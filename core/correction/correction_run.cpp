@@ -94,8 +94,8 @@ Result<CalibrationSource> calibrationAt(const std::string &path)
                  "%1 cannot be read as results of a calibration; give the folder or the results.json that dyncal run wrote."),
                 {file}});
     return calibratedResponse(source->content, file).map([&](CalibratedResponse calibration) {
-        return CalibrationSource{std::move(calibration), file,
-            fs::path(file).filename().string(), source->sha256, source->content};
+        return CalibrationSource{std::move(calibration), file, fs::path(file).filename().string(),
+            source->sha256, source->content};
     });
 }
 

@@ -188,8 +188,7 @@ tl::unexpected<Error> unreadable(const Channel &channel, Index shot)
 } // namespace
 
 Result<RecordPressure> recordPressure(const Channel &channel, Index shot,
-    const CorrectionFilter &filter, const RecordOptions &options,
-    const JobControl &control)
+    const CorrectionFilter &filter, const RecordOptions &options, const JobControl &control)
 {
     if (const Result<void> checked = checkChannel(channel, shot, filter); !checked)
         return tl::unexpected<Error>(checked.error());

@@ -133,8 +133,8 @@ AnswerJson quantityJson(const QuantityDifference &difference)
 AnswerJson noQuantityJson()
 {
     AnswerJson json;
-    for (const char *key : {"of", "where", "unit", "unit_now", "issued", "now", "u_expanded", "k", "k_assumed",
-             "u_of_noise_alone", "difference_over_u"})
+    for (const char *key : {"of", "where", "unit", "unit_now", "issued", "now", "u_expanded", "k",
+             "k_assumed", "u_of_noise_alone", "difference_over_u"})
         json[key] = nullptr;
     return json;
 }
@@ -157,9 +157,8 @@ AnswerJson recheckRowJson(const RecheckRow &row)
 bool RecheckedRun::hasDifferences() const
 {
     return isNewlyBlocked()
-        || std::ranges::any_of(quantities.list, [](const QuantityDifference &one) {
-               return one.isGone() || one.isOverU();
-           });
+        || std::ranges::any_of(quantities.list,
+            [](const QuantityDifference &one) { return one.isGone() || one.isOverU(); });
 }
 
 bool RecheckedRun::isAsIssued() const
@@ -177,7 +176,7 @@ RecheckedRun recheckedRun(const EarlierRun &run, const nlohmann::json &now,
     RecheckedRun rechecked{textAt(run.results, "created_utc"), softwareText(run.results),
         methods.has_value(), methodChanges(methods, methodVersions()), blockOf(run.results),
         refusal.empty() ? blockOf(now) : refusal,
-        quantityDifferences(statedQuantities(run.results, now)), 
+        quantityDifferences(statedQuantities(run.results, now)),
         findingChanges(run.results, now, depth), run.remarks};
     if (!rechecked.blockedNow.empty())
         forgetWhatStopped(rechecked);

@@ -27,8 +27,8 @@ struct RecheckedRun
     std::vector<Message> remarks;
 
     bool isNewlyBlocked() const { return !blockedNow.empty() && blockedThen.empty(); }
-    /// Something that was stated no longer holds: blocked, withdrawn, in another unit, or beyond its
-    /// U.
+    /// Something that was stated no longer holds: blocked, withdrawn, in another unit, or beyond
+    /// its U.
     bool hasDifferences() const;
     /// Same methods, same findings, every value to the last bit: whatever is drawn from these
     /// values is as issued, too.
@@ -81,9 +81,9 @@ struct RecheckRow
 std::vector<RecheckRow> recheckRows(const std::vector<RecheckAnswer> &answers);
 
 /// A list of the rows as objects: `folder`, `number` (null), `kind`, `of`, `where`, `unit`,
-/// `unit_now`, `issued`, `now`, `u_expanded`, `k`, `k_assumed`, `u_of_noise_alone`, `difference_over_u`,
-/// `method_issued`, `method_now` ({step: version} of those that changed), `amendment_needed`,
-/// `message`.
+/// `unit_now`, `issued`, `now`, `u_expanded`, `k`, `k_assumed`, `u_of_noise_alone`,
+/// `difference_over_u`, `method_issued`, `method_now` ({step: version} of those that changed),
+/// `amendment_needed`, `message`.
 std::string recheckJson(const std::vector<RecheckAnswer> &answers);
 
 /// "shock 1 -> 6, uncertainty 3 (new)", with a word where the results are of a later version or of

@@ -102,8 +102,7 @@ std::string ofShot(const Json &entry)
 void addCharacteristic(Pairs &pairs, const Json &entry, const Json &issued, const Json &now)
 {
     const StatedUnits units(entry, now);
-    addQuantity(
-        pairs, textAt(entry, "quantity"), {}, issued, now, units.keys("value", "u", "k"));
+    addQuantity(pairs, textAt(entry, "quantity"), {}, issued, now, units.keys("value", "u", "k"));
 }
 
 /// A list of what could be determined: one that is in the later one alone was not, then.

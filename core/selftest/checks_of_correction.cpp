@@ -77,7 +77,8 @@ double gainOfFilter(DataChange &change)
 
 double printedValue(DataChange &change)
 {
-    return parseNumber(roundedValue(change(2.330149e6), change(1234.0), "Hz").value).value_or(kUnknown);
+    return parseNumber(roundedValue(change(2.330149e6), change(1234.0), "Hz").value)
+        .value_or(kUnknown);
 }
 
 double printedUncertainty(DataChange &change)

@@ -60,9 +60,8 @@ double uncertaintyOfChain(DataChange &change)
 /// Between two rows, at the geometric mean of their frequencies.
 double referenceBetweenRows(DataChange &change)
 {
-    const auto table
-        = ReferenceSensitivity::fromTable({{change(1e3), change(3.0), change(0.01)},
-            {change(1e5), change(4.0), change(0.02)}});
+    const auto table = ReferenceSensitivity::fromTable(
+        {{change(1e3), change(3.0), change(0.01)}, {change(1e5), change(4.0), change(0.02)}});
     const auto point = table ? table->at(change(1e4)) : std::nullopt;
     return point ? point->magnitude : kUnknown;
 }

@@ -29,8 +29,8 @@ double soundSpeedAtRest_m_s()
 
 std::optional<ShockStates> shockAtMach2(DataChange &change)
 {
-    const auto states
-        = shockStates(kDiatomic, change(kShockP1_Pa), change(kShockT1_K), change(2.0 * soundSpeedAtRest_m_s()));
+    const auto states = shockStates(
+        kDiatomic, change(kShockP1_Pa), change(kShockT1_K), change(2.0 * soundSpeedAtRest_m_s()));
     return states ? std::optional(*states) : std::nullopt;
 }
 
@@ -84,8 +84,8 @@ double ratioByConservation(DataChange &change)
     GasModel gas;
     gas.constants = kDiatomic;
     gas.heatCapacity = HeatCapacity{};
-    const auto states
-        = shockStatesOf(gas, change(kShockP1_Pa), change(kShockT1_K), change(2.0 * soundSpeedAtRest_m_s()));
+    const auto states = shockStatesOf(
+        gas, change(kShockP1_Pa), change(kShockT1_K), change(2.0 * soundSpeedAtRest_m_s()));
     return states ? states->reflected.pressure_Pa / kShockP1_Pa : kUnknown;
 }
 
@@ -104,8 +104,9 @@ double thesisReflectedTemperature_K(DataChange &change)
 double thesisDriverPressure_Pa(DataChange &change)
 {
     const auto states = thesisShock(change);
-    return states ? driverPressure_Pa(*states, kThesisAir, kThesisAir, change(295.35)).value_or(kUnknown)
-                  : kUnknown;
+    return states
+        ? driverPressure_Pa(*states, kThesisAir, kThesisAir, change(295.35)).value_or(kUnknown)
+        : kUnknown;
 }
 
 double thesisPlateau_s(DataChange &change)
@@ -120,7 +121,8 @@ double thesisRarefaction_s(DataChange &change)
     const auto states = thesisShock(change);
     if (!states)
         return kUnknown;
-    TubeGeometry geometry{change(0.97), change(0.2), gasAtRest(kThesisAir, change(684846.955), change(295.35)), kThesisAir};
+    TubeGeometry geometry{change(0.97), change(0.2),
+        gasAtRest(kThesisAir, change(684846.955), change(295.35)), kThesisAir};
     const TubeWaves waves = tubeWaves(*states, geometry);
     return waves.plateauEnd == PlateauEnd::DriverRarefaction ? waves.plateau_s : kUnknown;
 }

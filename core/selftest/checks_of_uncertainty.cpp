@@ -21,7 +21,8 @@ ReportedValue threeAndFour(DataChange &change, double least = 0.0)
     ReportedValue value;
     value.of = "sensitivity";
     value.value = 1.0;
-    value.lines = {directLine("first", change(3.0), change(4.0)), directLine("second", change(4.0))};
+    value.lines
+        = {directLine("first", change(3.0), change(4.0)), directLine("second", change(4.0))};
     value.leastExpanded = change(least);
     combineLines(value);
     return value;
@@ -82,7 +83,8 @@ double correlatedDegrees(DataChange &change)
 /// a b at a = 3, b = 4 with u 0.03 and 0.08.
 double productsUncertainty(DataChange &change)
 {
-    const std::vector<UncertainInput> inputs{{"a", change(3.0), change(0.03)}, {"b", change(4.0), change(0.08)}};
+    const std::vector<UncertainInput> inputs{
+        {"a", change(3.0), change(0.03)}, {"b", change(4.0), change(0.08)}};
     const auto gum = propagateGum(inputs, [](const Eigen::VectorXd &x) -> Result<Eigen::VectorXd> {
         return Eigen::VectorXd::Constant(1, x[0] * x[1]);
     });
@@ -154,7 +156,8 @@ UncertainComplex spectrumOfEight(DataChange &change)
     y << 0.0, 1.0, 2.0, 1.0, 0.5, 0.25, 0.1, 0.05;
     for (Index k = 0; k < 8; ++k)
         variance[k] = std::pow(0.01 * static_cast<double>(k + 1), 2.0);
-    return dftWithCovariance(change(y), change(variance), 8.0, Eigen::VectorXd::Constant(1, 1.0)).front();
+    return dftWithCovariance(change(y), change(variance), 8.0, Eigen::VectorXd::Constant(1, 1.0))
+        .front();
 }
 
 double realPartOfSpectrum(DataChange &change)

@@ -76,8 +76,9 @@ private slots:
         QVERIFY(U < 0.03 * 2e5);
         QVERIFY(std::abs(shot["at_s"].toDouble() - 400e-6) < 0.1e-6);
         QVERIFY(std::abs(shot["level"].toDouble() - 0.25) < 1e-4);
-        for (const char *file : {"pressure_shot_001.csv", "filter.json", "filter.csv",
-                 "filter_errors.csv", "filter.mat", "filter.py", "calibration.json", "written.json"})
+        for (const char *file :
+            {"pressure_shot_001.csv", "filter.json", "filter.csv", "filter_errors.csv",
+                "filter.mat", "filter.py", "calibration.json", "written.json"})
             QVERIFY2(QFile::exists(path("pressure/") + file), file);
     }
 
@@ -110,7 +111,8 @@ private slots:
         const auto largest = [this](const QByteArray &import) {
             QFile::remove(path("other.json"));
             if (!writeBytes(path("other.json"),
-                    R"({"import": {"columns": {"time": 0, "dut": 1}, "unit": "V", )" + import + "}}"))
+                    R"({"import": {"columns": {"time": 0, "dut": 1}, "unit": "V", )" + import
+                        + "}}"))
                 return 0.0;
             const Answer answer = runDyncal({"correct", path("pulse.csv"), "--recipe",
                 path("other.json"), "--with", path("run"), "--band", "1e6", "-o", path("other")});
@@ -127,9 +129,9 @@ private slots:
     void keptCalibration_repeatsTheCorrection()
     {
         QVERIFY(correct({"--band", "1e6"}, "first").exitCode <= 1);
-        const Answer answer = runDyncal({"correct", path("pulse.csv"), "--recipe",
-            path("pulse.json"), "--with", path("first/calibration.json"), "--band", "1e6", "-o",
-            path("second")});
+        const Answer answer
+            = runDyncal({"correct", path("pulse.csv"), "--recipe", path("pulse.json"), "--with",
+                path("first/calibration.json"), "--band", "1e6", "-o", path("second")});
         QVERIFY2(answer.exitCode <= 1, answer.err);
         for (const char *file : {"pressure_shot_001.csv", "filter.json", "calibration.json"}) {
             QFile a(path("first/") + file), b(path("second/") + file);

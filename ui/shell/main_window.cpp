@@ -11,7 +11,6 @@
 #include "ui/shell/findings/finding_places.h"
 #include "ui/shell/findings/findings_panel.h"
 #include "ui/shell/findings/problem_panel.h"
-#include "ui/stages/frame/inspector_scroll.h"
 #include "ui/shell/main_menus.h"
 #include "ui/shell/next_bar.h"
 #include "ui/shell/recovery/work_recovery.h"
@@ -21,6 +20,7 @@
 #include "ui/shell/start_page.h"
 #include "ui/shell/tool_windows.h"
 #include "ui/shell/work_status.h"
+#include "ui/stages/frame/inspector_scroll.h"
 #include "ui/stages/frame/stage_page.h"
 #include "ui/text/shown_text.h"
 
@@ -84,8 +84,7 @@ MainWindow::MainWindow(Session::Pipeline pipeline, CurrentUtc currentUtc, Prefer
                             {{m_stagesDock, "F5"}, {m_inspectorDock, "F4"}, {m_findingsDock, "F6"}},
                             [this] { resetLayout(); }, [this] { m_files->exportPlots(m_pages); },
                             [this](int row) { showPage(row); },
-                            [this](int by) { showPage(m_stageList->currentRow() + by); },
-                            *m_tools},
+                            [this](int by) { showPage(m_stageList->currentRow() + by); }, *m_tools},
             this);
     connectSession();
     buildContents();

@@ -88,8 +88,7 @@ private slots:
         const ScratchFolder scratch;
         const std::string text = MadeResults().text();
         scratch.write("results.json", text.data(), text.size());
-        const std::string folder
-            = std::filesystem::path(scratch.file("x")).parent_path().string();
+        const std::string folder = std::filesystem::path(scratch.file("x")).parent_path().string();
         for (const std::string &path : {scratch.file("results.json"), folder}) {
             const auto source = calibrationAt(path);
             QVERIFY(source.has_value());
@@ -207,8 +206,8 @@ private slots:
         QCOMPARE(last, 1.0);
         std::stop_source stop;
         stop.request_stop();
-        const auto stopped = correctRecordings(
-            calibration(), recordings(), kTo150kHz, {}, {stop.get_token(), {}});
+        const auto stopped
+            = correctRecordings(calibration(), recordings(), kTo150kHz, {}, {stop.get_token(), {}});
         QVERIFY(!stopped && stopped.error().kind == ErrorKind::Cancelled);
     }
 };

@@ -107,8 +107,7 @@ private slots:
         const auto answer = answerOf("out", earlierResults(), now);
         QVERIFY(answer.run->hasDifferences() && answer.run->needsAmendment());
         QCOMPARE(kindsOf({answer}),
-            std::string(
-                "out unit-changed sensitivity;out unit-changed sensitivity.per_level[0];"));
+            std::string("out unit-changed sensitivity;out unit-changed sensitivity.per_level[0];"));
         const EarlierJson row = jsonOf({answer})[0];
         QCOMPARE(row["unit"], EarlierJson("V/Pa"));
         QCOMPARE(row["unit_now"], EarlierJson("pC/Pa"));

@@ -58,11 +58,12 @@ private slots:
 
     void malformedOnes_areRefused()
     {
-        for (const char *text : {"", "V/Pa", "\\furlong", "\\mega", "\\volt\\mega",
-                 "\\volt\\tothe{x}", "\\tothe{2}", "\\volt\\tothe{0.5}", "\\kilo\\mega\\volt",
-                 "\\volt pascal", "\\volt\\per\\per\\pascal", "\\volt\\tothe{99}", "\\volt\\per", "\\per",
-                 "\\per\\per\\pascal", "\\volt\\kilo\\per\\pascal", "\\volt\\per\\tothe{2}\\pascal",
-                 "\\volt\\kilo\\tothe{2}\\pascal", "\\volt\\tothe{2}\\tothe{3}"})
+        for (const char *text :
+            {"", "V/Pa", "\\furlong", "\\mega", "\\volt\\mega", "\\volt\\tothe{x}", "\\tothe{2}",
+                "\\volt\\tothe{0.5}", "\\kilo\\mega\\volt", "\\volt pascal",
+                "\\volt\\per\\per\\pascal", "\\volt\\tothe{99}", "\\volt\\per", "\\per",
+                "\\per\\per\\pascal", "\\volt\\kilo\\per\\pascal", "\\volt\\per\\tothe{2}\\pascal",
+                "\\volt\\kilo\\tothe{2}\\pascal", "\\volt\\tothe{2}\\tothe{3}"})
             QVERIFY2(!parseDSiUnit(text), text);
     }
 };

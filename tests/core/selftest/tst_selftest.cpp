@@ -92,8 +92,8 @@ private slots:
             const auto report = runSelfTest({count, {}});
             QVERIFY(!report && report.error().kind == ErrorKind::Usage);
             const std::string words = english(report.error().message);
-            QVERIFY2(words.find("with less than 6 it cannot fail") != std::string::npos,
-                words.c_str());
+            QVERIFY2(
+                words.find("with less than 6 it cannot fail") != std::string::npos, words.c_str());
         }
     }
 

@@ -59,10 +59,7 @@ struct ExampleBench : test::WindowBench
             && session().results().evidence && !session().isOfThisRun(StageId::ChainMonteCarlo);
     }
     void waitDrawing() const { QTRY_VERIFY_WITH_TIMEOUT(isDrawing(), kPatience_ms); }
-    void waitComputed() const
-    {
-        QTRY_VERIFY_WITH_TIMEOUT(!session().isComputing(), kPatience_ms);
-    }
+    void waitComputed() const { QTRY_VERIFY_WITH_TIMEOUT(!session().isComputing(), kPatience_ms); }
     /// Another seed: what is drawn is drawn anew.
     void drawAgain(Index seed) const
     {

@@ -49,10 +49,9 @@ PlotContent pressureCurves(const CorrectionOutcome &outcome, const CaptureSet &c
         content.curves.push_back(
             shotCurve(style, CurveStyle::Line, time_s, toVector(pressure.pressure_Pa)));
     }
-    content.summary
-        = Plots::tr("Pressure up to %1 with its band of 95 %; recordings: %2.")
-              .arg(shownQuantity(outcome.filter.lowPass.band_Hz, QStringLiteral("Hz")))
-              .arg(outcome.shots.size());
+    content.summary = Plots::tr("Pressure up to %1 with its band of 95 %; recordings: %2.")
+                          .arg(shownQuantity(outcome.filter.lowPass.band_Hz, QStringLiteral("Hz")))
+                          .arg(outcome.shots.size());
     return content;
 }
 

@@ -106,15 +106,18 @@ OptionalEdit *CorrectionForm::addNumber(const QString &label, const QString &obj
 void CorrectionForm::addFilter()
 {
     addSection(tr("Filter"));
-    addNumber(tr("Band up to"), "correctionBand",
-        new OptionalEdit(kilohertz(), 0.0, kMostFrequency_Hz), tr("the widest possible"),
-        [](CorrectionChoice &choice) -> auto & { return choice.filter.band_Hz; });
-    addNumber(tr("Nothing beyond"), "correctionEdge",
+    addNumber(
+        tr("Band up to"), "correctionBand", new OptionalEdit(kilohertz(), 0.0, kMostFrequency_Hz),
+        tr("the widest possible"),
+        [](CorrectionChoice & choice) -> auto & { return choice.filter.band_Hz; });
+    addNumber(
+        tr("Nothing beyond"), "correctionEdge",
         new OptionalEdit(kilohertz(), 0.0, kMostFrequency_Hz), tr("1.5 times the band"),
-        [](CorrectionChoice &choice) -> auto & { return choice.filter.edge_Hz; });
-    addNumber(tr("Delay"), "correctionDelay",
+        [](CorrectionChoice & choice) -> auto & { return choice.filter.edge_Hz; });
+    addNumber(
+        tr("Delay"), "correctionDelay",
         new OptionalEdit({QStringLiteral("µs"), 1e-6}, 0.0, kMostTime_s), tr("the shortest"),
-        [](CorrectionChoice &choice) -> auto & { return choice.filter.delay_s; });
+        [](CorrectionChoice & choice) -> auto & { return choice.filter.delay_s; });
     m_lowPass = addChoice(
         tr("Low-pass"), "correctionLowPass", {tr("Gaussian, no phase"), tr("two equal poles")});
     connect(m_lowPass, &QComboBox::activated, this, [this](int row) {
@@ -127,17 +130,23 @@ void CorrectionForm::addStretches()
 {
     const auto time = [] { return new OptionalEdit(milliseconds(), -kMostTime_s, kMostTime_s); };
     addSection(tr("Stretches of the recording"));
-    addNumber(tr("Corrected from"), "correctionWindowBegin", time(), tr("its begin"),
-        [](CorrectionChoice &choice) -> auto & { return choice.window.begin_s; });
-    addNumber(tr("Corrected to"), "correctionWindowEnd", time(), tr("its end"),
-        [](CorrectionChoice &choice) -> auto & { return choice.window.end_s; });
-    addNumber(tr("No pressure from"), "correctionQuietBegin", time(), tr("its begin"),
-        [](CorrectionChoice &choice) -> auto & { return choice.quiet.begin_s; });
-    addNumber(tr("No pressure to"), "correctionQuietEnd", time(), tr("before the start"),
-        [](CorrectionChoice &choice) -> auto & { return choice.quiet.end_s; });
-    addNumber(tr("Beyond the band at most"), "correctionBeyond",
+    addNumber(
+        tr("Corrected from"), "correctionWindowBegin", time(), tr("its begin"),
+        [](CorrectionChoice & choice) -> auto & { return choice.window.begin_s; });
+    addNumber(
+        tr("Corrected to"), "correctionWindowEnd", time(), tr("its end"),
+        [](CorrectionChoice & choice) -> auto & { return choice.window.end_s; });
+    addNumber(
+        tr("No pressure from"), "correctionQuietBegin", time(), tr("its begin"),
+        [](CorrectionChoice & choice) -> auto & { return choice.quiet.begin_s; });
+    addNumber(
+        tr("No pressure to"), "correctionQuietEnd", time(), tr("before the start"),
+        [](CorrectionChoice & choice) -> auto & { return choice.quiet.end_s; });
+    addNumber(
+        tr("Beyond the band at most"), "correctionBeyond",
         new OptionalEdit({QStringLiteral("kPa"), 1e3}, 0.0, kMostPressure_Pa),
-        tr("from the recording"), [](CorrectionChoice &choice) -> auto & { return choice.beyond_Pa; });
+        tr("from the recording"),
+        [](CorrectionChoice & choice) -> auto & { return choice.beyond_Pa; });
 }
 
 void CorrectionForm::setChoice(const CorrectionChoice &choice)
@@ -159,8 +168,7 @@ void CorrectionForm::showChoice()
     m_channel->addItem(tr("as the recordings say"));
     for (const QString &name : m_choice.channels)
         m_channel->addItem(shownText(name));
-    m_channel->setCurrentIndex(
-        1 + static_cast<int>(m_choice.channels.indexOf(m_choice.channel)));
+    m_channel->setCurrentIndex(1 + static_cast<int>(m_choice.channels.indexOf(m_choice.channel)));
     m_asProject->setChecked(m_choice.isReadAsProject);
     m_lowPass->setCurrentIndex(m_choice.filter.lowPass == LowPassKind::Gaussian ? 0 : 1);
     for (const auto &show : m_shows)
@@ -169,10 +177,8 @@ void CorrectionForm::showChoice()
 
 QString withFieldLabels(QString sentence)
 {
-    const std::pair<const char *, QString> labels[]{
-        {"--band", CorrectionForm::tr("Band up to")},
-        {"--edge", CorrectionForm::tr("Nothing beyond")},
-        {"--delay", CorrectionForm::tr("Delay")},
+    const std::pair<const char *, QString> labels[]{{"--band", CorrectionForm::tr("Band up to")},
+        {"--edge", CorrectionForm::tr("Nothing beyond")}, {"--delay", CorrectionForm::tr("Delay")},
         {"--window", CorrectionForm::tr("Corrected from")},
         {"--quiet", CorrectionForm::tr("No pressure from")},
         {"--beyond", CorrectionForm::tr("Beyond the band at most")}};

@@ -38,9 +38,8 @@ private:
     void addRecordings();
     void addFilter();
     void addStretches();
-    OptionalEdit *addNumber(const QString &label, const QString &objectName,
-        OptionalEdit *edit, const QString &empty,
-        const std::function<std::optional<double> &(CorrectionChoice &)> &of);
+    OptionalEdit *addNumber(const QString &label, const QString &objectName, OptionalEdit *edit,
+        const QString &empty, const std::function<std::optional<double> &(CorrectionChoice &)> &of);
     void showChoice();
 
     CorrectionChoice m_choice;

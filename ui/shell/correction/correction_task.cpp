@@ -67,8 +67,7 @@ Recipe readingRecipe(const CorrectionChoice &choice, const Recipe &project)
         recipe.checks = project.checks;
     }
     if (!choice.channel.isEmpty())
-        recipe.import.channels[choice.channel.toStdString()]
-            = channelRoleName(ChannelRole::Dut);
+        recipe.import.channels[choice.channel.toStdString()] = channelRoleName(ChannelRole::Dut);
     return recipe;
 }
 
@@ -82,8 +81,8 @@ Result<CorrectionTask> taskOf(const CorrectionChoice &choice, const Recipe &proj
             DYNCAL_TEXT("core", "No recording is chosen; choose those that are to be corrected."));
     return recordOptionsOf(choice).map([&](const RecordOptions &record) {
         return CorrectionTask{choice.isOfProject ? std::string() : choice.results.toStdString(),
-            std::nullopt, pathsOf(choice.recordings), readingRecipe(choice, project),
-            choice.filter, record};
+            std::nullopt, pathsOf(choice.recordings), readingRecipe(choice, project), choice.filter,
+            record};
     });
 }
 
@@ -114,8 +113,8 @@ Result<CorrectionReport> correctionReport(const CorrectionTask &task, const JobC
         prepared->findings, std::make_shared<const CaptureSet>(prepared->set), nullptr};
     if (!areCorrectable(report.findings, *report.captures))
         return report;
-    return correctRecordings(*source, *report.captures, task.filter, task.record,
-        control.between(kReadingShare, 1.0))
+    return correctRecordings(
+        *source, *report.captures, task.filter, task.record, control.between(kReadingShare, 1.0))
         .map([&](CorrectionOutcome outcome) {
             report.outcome = std::make_shared<const CorrectionOutcome>(std::move(outcome));
             return report;

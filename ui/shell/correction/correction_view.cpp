@@ -162,9 +162,9 @@ void CorrectionView::showShots(const CorrectionOutcome &outcome)
     QVector<QStringList> rows;
     for (const ShotPressure &shot : outcome.shots)
         rows << rowOf(shot, outcome.filter);
-    m_shots->setValues({tr("Shot"), tr("Channel"), tr("Largest pressure"), tr("U (95 %)"), tr("k"),
-                           tr("At"), tr("u by noise"), tr("Bound beyond the band"),
-                           tr("Level without pressure")},
+    m_shots->setValues(
+        {tr("Shot"), tr("Channel"), tr("Largest pressure"), tr("U (95 %)"), tr("k"), tr("At"),
+            tr("u by noise"), tr("Bound beyond the band"), tr("Level without pressure")},
         rows);
 }
 

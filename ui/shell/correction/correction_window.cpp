@@ -306,7 +306,8 @@ QString CorrectionWindow::sentence() const
         break;
     }
     if (!m_report->outcome)
-        return tr("Nothing was corrected: the recordings do not hold the pressure, as the findings say.");
+        return tr(
+            "Nothing was corrected: the recordings do not hold the pressure, as the findings say.");
     return m_written.isEmpty()
         ? tr("Corrected: the pressure is relative to that before it, with its band of 95 %.")
         : tr("Written: %1").arg(shownText(m_written));

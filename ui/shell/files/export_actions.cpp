@@ -56,8 +56,7 @@ Message ExportActions::whyNoResults(const Session &session)
     if (const Result<void> same = checkSources(*session.state().captures); !same)
         return same.error().message;
     if (session.isComputing())
-        return {DYNCAL_TEXT(
-                    "core", "The results are still being computed; try again in a moment."),
+        return {DYNCAL_TEXT("core", "The results are still being computed; try again in a moment."),
             {}};
     if (!session.isUpToDate())
         return {

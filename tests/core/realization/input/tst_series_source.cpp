@@ -118,8 +118,7 @@ private slots:
             const SeriesSource average = averageOf(responses);
             QVERIFY(average.noise == averageOf(known).noise);
             QVERIFY(std::abs(sdOf(average.noise) * std::sqrt(2.0) - 1.0) < 0.1);
-            QVERIFY(
-                isNear(average.leastNoiseSd, kResolution / std::sqrt(12.0) / std::sqrt(2.0)));
+            QVERIFY(isNear(average.leastNoiseSd, kResolution / std::sqrt(12.0) / std::sqrt(2.0)));
             QVERIFY(isNear(average.roundingSd, kRoundingSd / std::sqrt(2.0)));
         }
     }

@@ -18,8 +18,7 @@ ShotPressure shotOf(Index number, Index samples)
     CorrectedPressure &pressure = shot.record.pressure;
     pressure.rate_Hz = 1e3;
     pressure.time_s = -1e-3;
-    pressure.pressure_Pa
-        = Eigen::VectorXd::LinSpaced(samples, 1.0, static_cast<double>(samples));
+    pressure.pressure_Pa = Eigen::VectorXd::LinSpaced(samples, 1.0, static_cast<double>(samples));
     pressure.u_Pa = Eigen::VectorXd::Constant(samples, 0.5);
     pressure.k = Eigen::VectorXd::Constant(samples, 2.0);
     return shot;

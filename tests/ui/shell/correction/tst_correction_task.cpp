@@ -68,9 +68,8 @@ private slots:
         choice = wholeChoice();
         choice.recordings.clear();
         QVERIFY(whyNot(choice).starts_with("No recording is chosen"));
-        for (const TypedStretch &stretch :
-            {TypedStretch{1.0, std::nullopt}, TypedStretch{std::nullopt, 1.0},
-                TypedStretch{2.0, 1.0}, TypedStretch{1.0, 1.0}}) {
+        for (const TypedStretch &stretch : {TypedStretch{1.0, std::nullopt},
+                 TypedStretch{std::nullopt, 1.0}, TypedStretch{2.0, 1.0}, TypedStretch{1.0, 1.0}}) {
             choice = wholeChoice();
             choice.window = stretch;
             QVERIFY(whyNot(choice).starts_with("A stretch of the recording needs"));

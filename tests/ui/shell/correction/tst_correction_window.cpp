@@ -42,8 +42,8 @@ constexpr double kPeak_Pa = 1e5;
 /// channel that recorded half of it.
 QByteArray pulseTable(Index count = 6000)
 {
-    const Eigen::VectorXd record = TrueSensor().recordOf(
-        kPeak_Pa * burst(count, kRate_Hz, 700e-6, 20e-6, 0.0), kRate_Hz);
+    const Eigen::VectorXd record
+        = TrueSensor().recordOf(kPeak_Pa * burst(count, kRate_Hz, 700e-6, 20e-6, 0.0), kRate_Hz);
     QByteArray text("time (s),blast (V),side (V)\n");
     for (Index n = 0; n < count; ++n) {
         const double volt = record[n] + 1e-7 * (double((n * 7919) % 13) - 6.0);
@@ -58,9 +58,8 @@ struct CorrectionBench : test::WindowBench
 {
     CorrectionWindow *dialog = nullptr;
 
-    explicit CorrectionBench(Session::Pipeline pipeline = [](auto &&...) {
-        return PipelineOutcome();
-    })
+    explicit CorrectionBench(
+        Session::Pipeline pipeline = [](auto &&...) { return PipelineOutcome(); })
         : WindowBench(std::move(pipeline))
     {
         window->show();
@@ -229,11 +228,11 @@ void TestCorrectionWindow::options_areThoseOfTheCommandLine()
     bench.open();
     bench.takeResults(bench.path("results.json"));
     bench.takeRecording(bench.path("pulse.csv"));
-    for (const auto &[field, text] : {std::pair("correctionBand", "120"),
-             std::pair("correctionEdge", "200"), std::pair("correctionDelay", "60"),
-             std::pair("correctionWindowBegin", "0.5"), std::pair("correctionWindowEnd", "0.9"),
-             std::pair("correctionQuietBegin", "0"), std::pair("correctionQuietEnd", "0.4"),
-             std::pair("correctionBeyond", "0.07")})
+    for (const auto &[field, text] :
+        {std::pair("correctionBand", "120"), std::pair("correctionEdge", "200"),
+            std::pair("correctionDelay", "60"), std::pair("correctionWindowBegin", "0.5"),
+            std::pair("correctionWindowEnd", "0.9"), std::pair("correctionQuietBegin", "0"),
+            std::pair("correctionQuietEnd", "0.4"), std::pair("correctionBeyond", "0.07")})
         bench.type(field, text);
     bench.correct();
     QVERIFY2(bench.verdict().startsWith("Corrected"), qPrintable(bench.verdict()));
@@ -292,15 +291,33 @@ void TestCorrectionWindow::refusals_areSentencesInTheWindow_data()
     QTest::addColumn<QString>("field");
     QTest::addColumn<QString>("text");
     QTest::addColumn<QString>("says");
-    QTest::newRow("band") << "correctionBand" << "9000" << "\"Band up to\"";
-    QTest::newRow("edge") << "correctionEdge" << "1" << "\"Nothing beyond\"";
-    QTest::newRow("delay") << "correctionDelay" << "0.001" << "\"Delay\"";
-    QTest::newRow("one end") << "correctionWindowBegin" << "0.1" << "both or neither";
-    QTest::newRow("one end of quiet") << "correctionQuietEnd" << "0.1" << "both or neither";
-    QTest::newRow("no results") << "results" << "none.json" << "cannot be read";
-    QTest::newRow("odd results") << "results" << "pulse.csv" << "is not valid JSON";
-    QTest::newRow("no recording") << "recording" << "none.csv" << "none.csv";
-    QTest::newRow("odd recording") << "recording" << "results.json" << "results.json";
+    QTest::newRow("band") << "correctionBand"
+                          << "9000"
+                          << "\"Band up to\"";
+    QTest::newRow("edge") << "correctionEdge"
+                          << "1"
+                          << "\"Nothing beyond\"";
+    QTest::newRow("delay") << "correctionDelay"
+                           << "0.001"
+                           << "\"Delay\"";
+    QTest::newRow("one end") << "correctionWindowBegin"
+                             << "0.1"
+                             << "both or neither";
+    QTest::newRow("one end of quiet") << "correctionQuietEnd"
+                                      << "0.1"
+                                      << "both or neither";
+    QTest::newRow("no results") << "results"
+                                << "none.json"
+                                << "cannot be read";
+    QTest::newRow("odd results") << "results"
+                                 << "pulse.csv"
+                                 << "is not valid JSON";
+    QTest::newRow("no recording") << "recording"
+                                  << "none.csv"
+                                  << "none.csv";
+    QTest::newRow("odd recording") << "recording"
+                                   << "results.json"
+                                   << "results.json";
 }
 
 void TestCorrectionWindow::refusals_areSentencesInTheWindow()
@@ -386,11 +403,10 @@ void TestCorrectionWindow::otherChannel_canBeChosen()
     const std::vector<double> &p = bench.pressure().curves[2].y;
     QVERIFY(std::abs(*std::ranges::max_element(p) / kPeak_Pa - 0.5) < 1e-2);
     bench.save("window");
-    test::writeFile(
-        bench.path("recipe.json"), R"({"import": {"channels": {"side": "dut"}}})");
-    QCOMPARE(commandLine({"correct", bench.path("pulse.csv"), "--with", bench.path("results.json"),
-                 "--recipe", bench.path("recipe.json"), "--band", "150000", "-o",
-                 bench.path("cli")}),
+    test::writeFile(bench.path("recipe.json"), R"({"import": {"channels": {"side": "dut"}}})");
+    QCOMPARE(
+        commandLine({"correct", bench.path("pulse.csv"), "--with", bench.path("results.json"),
+            "--recipe", bench.path("recipe.json"), "--band", "150000", "-o", bench.path("cli")}),
         0);
     compareFolders(bench.path("cli"), bench.path("window"));
 }

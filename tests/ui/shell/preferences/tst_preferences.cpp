@@ -76,8 +76,7 @@ void TestPreferences::plurals_ofEnglish_areThereInEveryLocale()
 {
     const QByteArray before = qgetenv("LC_ALL");
     const auto notes = [](int count) {
-        return QCoreApplication::translate(
-            "dyncal::FindingsPanel", "%n note(s)", nullptr, count);
+        return QCoreApplication::translate("dyncal::FindingsPanel", "%n note(s)", nullptr, count);
     };
     for (const char *locale : {"C", "POSIX", "sv_SE.UTF-8", ""}) {
         qputenv("LC_ALL", locale);
