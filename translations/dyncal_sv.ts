@@ -8385,8 +8385,8 @@ steget</translation>
         <translation>exakta moment; fyra standardavvikelser för så många dragningar</translation>
     </message>
     <message>
-        <source>E_n of 512 and 509, u = 0.75</source>
-        <translation>E_n för 512 och 509, u = 0.75</translation>
+        <source>E_n of 12 and 9, u = 0.75</source>
+        <translation>E_n för 12 och 9, u = 0.75</translation>
     </message>
     <message>
         <source>smallest fault that is found, u = 0.75</source>
@@ -9595,7 +9595,7 @@ steget</translation>
     </message>
     <message>
         <source>Filter</source>
-        <translation>Filter</translation>
+        <translation>Filtret</translation>
     </message>
     <message>
         <source>Band up to</source>

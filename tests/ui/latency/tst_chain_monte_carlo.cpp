@@ -4,6 +4,7 @@
 // The window while the Monte Carlo of the whole chain runs: how long it gives no answer, how soon
 // the work has ended after Cancel, and what is left of it then.
 
+#include "core/monte_carlo/chain_monte_carlo.h"
 #include "tests/support/test_program.h"
 #include "tests/ui/shell/window_bench.h"
 #include "tests/ui/support/event_loop_watchdog.h"
