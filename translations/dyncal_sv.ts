@@ -2386,6 +2386,26 @@ steget</translation>
         <source>Less the sensitivity at the onset</source>
         <translation>Minus känsligheten vid stegets början</translation>
     </message>
+    <message>
+        <source>Pressure behind the recording</source>
+        <translation>Trycket bakom registreringen</translation>
+    </message>
+    <message>
+        <source>Pressure</source>
+        <translation>Tryck</translation>
+    </message>
+    <message>
+        <source>%1, upper end of 95 %</source>
+        <translation>%1, övre gräns för 95 %</translation>
+    </message>
+    <message>
+        <source>%1, lower end of 95 %</source>
+        <translation>%1, undre gräns för 95 %</translation>
+    </message>
+    <message>
+        <source>Pressure up to %1 with its band of 95 %; recordings: %2.</source>
+        <translation>Tryck upp till %1 med sitt band för 95 %; registreringar: %2.</translation>
+    </message>
 </context>
 <context>
     <name>Prompts</name>
@@ -7521,10 +7541,6 @@ steget</translation>
         <translation>Skott %1: kanal %2 har sampel utan tryck som inte är tal; ange en annan sträcka (--quiet).</translation>
     </message>
     <message>
-        <source>Shot %1: the stretch to be corrected has %2 samples of channel %3; it needs 1 to %4 (--window BEGIN,END in seconds of the recording).</source>
-        <translation>Skott %1: sträckan som ska korrigeras har %2 sampel av kanal %3; den behöver 1 till %4 (--window BEGIN,END i inspelningens sekunder).</translation>
-    </message>
-    <message>
         <source>The window %1 to %2 lies where the filter would need samples beyond the ends of the recording; choose another (--window).</source>
         <translation>Fönstret %1 till %2 ligger där filtret skulle behöva sampel bortom inspelningens ändar; välj ett annat (--window).</translation>
     </message>
@@ -8369,8 +8385,8 @@ steget</translation>
         <translation>exakta moment; fyra standardavvikelser för så många dragningar</translation>
     </message>
     <message>
-        <source>E_n of 512 and 509, u = 0.75</source>
-        <translation>E_n för 512 och 509, u = 0.75</translation>
+        <source>E_n of 12 and 9, u = 0.75</source>
+        <translation>E_n för 12 och 9, u = 0.75</translation>
     </message>
     <message>
         <source>smallest fault that is found, u = 0.75</source>
@@ -8611,6 +8627,50 @@ steget</translation>
     <message>
         <source>the response drifts as behind an AC coupling, so below the band it is not known</source>
         <translation>svaret driver som bakom en AC-koppling, så under bandet är det inte känt</translation>
+    </message>
+    <message>
+        <source>Shot %1: the stretch to be corrected has %2 samples of channel %3; it needs 1 to %4 (--window).</source>
+        <translation>Skott %1: sträckan som ska korrigeras har %2 sampel av kanal %3; den behöver 1 till %4 (--window).</translation>
+    </message>
+    <message>
+        <source>The first line of the table has semicolons; the columns are parted by commas, and the numbers have a decimal point and no decimal comma.</source>
+        <translation>Tabellens första rad har semikolon; kolumnerna skiljs åt av kommatecken, och talen har decimalpunkt och inte decimalkomma.</translation>
+    </message>
+    <message>
+        <source>The table names the column &apos;%1&apos; twice, so that its values are not known; leave one of the two out.</source>
+        <translation>Tabellen har kolumnen &apos;%1&apos; två gånger, så att dess värden inte är kända; utelämna en av de två.</translation>
+    </message>
+    <message>
+        <source>Line %1 of the table has %2 values for %3 columns; they are parted by commas, and the numbers have a decimal point and no decimal comma.</source>
+        <translation>Rad %1 i tabellen har %2 värden för %3 kolumner; de skiljs åt av kommatecken, och talen har decimalpunkt och inte decimalkomma.</translation>
+    </message>
+    <message>
+        <source>The coverage study is to have %1 calibrations, but with less than %2 it cannot fail: even errors of 0 would be no sign of a wrong u; take 0 (no study) or %2 to %3.</source>
+        <translation>Täckningsstudien ska ha %1 kalibreringar, men med färre än %2 kan den inte misslyckas: inte ens fel på 0 skulle tyda på ett felaktigt u; välj 0 (ingen studie) eller %2 till %3.</translation>
+    </message>
+    <message>
+        <source>A stretch of the recording needs a begin and, behind it, an end; type both or neither.</source>
+        <translation>En sträcka av registreringen behöver en början och, efter den, ett slut; skriv båda eller inget av dem.</translation>
+    </message>
+    <message>
+        <source>No calibration is chosen; choose the results.json of the sensor, or take the open project.</source>
+        <translation>Ingen kalibrering är vald; välj givarens results.json, eller ta det öppna projektet.</translation>
+    </message>
+    <message>
+        <source>No recording is chosen; choose those that are to be corrected.</source>
+        <translation>Ingen registrering är vald; välj dem som ska korrigeras.</translation>
+    </message>
+    <message>
+        <source>The results are still being computed; try again in a moment.</source>
+        <translation>Resultaten beräknas fortfarande; försök igen om en stund.</translation>
+    </message>
+    <message>
+        <source>The results are out of date because the computation was cancelled; press F9 to compute them again.</source>
+        <translation>Resultaten är inaktuella eftersom beräkningen avbröts; tryck F9 för att beräkna dem igen.</translation>
+    </message>
+    <message>
+        <source>There is no model yet: open recordings and clear what blocks the stages.</source>
+        <translation>Det finns ingen modell än: öppna registreringar och åtgärda det som blockerar arbetsstegen.</translation>
     </message>
 </context>
 <context>
@@ -9480,6 +9540,299 @@ steget</translation>
     </message>
 </context>
 <context>
+    <name>dyncal::CorrectionForm</name>
+    <message>
+        <source>none yet</source>
+        <translation>inga ännu</translation>
+    </message>
+    <message>
+        <source>Calibration of the sensor</source>
+        <translation>Givarens kalibrering</translation>
+    </message>
+    <message>
+        <source>Taken from</source>
+        <translation>Tas från</translation>
+    </message>
+    <message>
+        <source>the open project</source>
+        <translation>det öppna projektet</translation>
+    </message>
+    <message>
+        <source>a results.json</source>
+        <translation>en results.json</translation>
+    </message>
+    <message>
+        <source>File</source>
+        <translation>Fil</translation>
+    </message>
+    <message>
+        <source>Choose a results.json...</source>
+        <translation>Välj en results.json...</translation>
+    </message>
+    <message>
+        <source>Recordings to correct</source>
+        <translation>Registreringar att korrigera</translation>
+    </message>
+    <message>
+        <source>Files</source>
+        <translation>Filer</translation>
+    </message>
+    <message>
+        <source>Choose recordings...</source>
+        <translation>Välj registreringar...</translation>
+    </message>
+    <message>
+        <source>Channel of the sensor</source>
+        <translation>Givarens kanal</translation>
+    </message>
+    <message>
+        <source>Read them as the recordings of the project</source>
+        <translation>Läs dem som projektets registreringar</translation>
+    </message>
+    <message>
+        <source>With the import settings of the open project: columns, units, scale, gain</source>
+        <translation>Med det öppna projektets importinställningar: kolumner, enheter, skala, förstärkning</translation>
+    </message>
+    <message>
+        <source>Filter</source>
+        <translation>Filtret</translation>
+    </message>
+    <message>
+        <source>Band up to</source>
+        <translation>Band upp till</translation>
+    </message>
+    <message>
+        <source>the widest possible</source>
+        <translation>bredast möjliga</translation>
+    </message>
+    <message>
+        <source>Nothing beyond</source>
+        <translation>Inget bortom</translation>
+    </message>
+    <message>
+        <source>1.5 times the band</source>
+        <translation>1,5 gånger bandet</translation>
+    </message>
+    <message>
+        <source>Delay</source>
+        <translation>Fördröjning</translation>
+    </message>
+    <message>
+        <source>the shortest</source>
+        <translation>den kortaste</translation>
+    </message>
+    <message>
+        <source>Low-pass</source>
+        <translation>Lågpass</translation>
+    </message>
+    <message>
+        <source>Gaussian, no phase</source>
+        <translation>gaussiskt, utan fas</translation>
+    </message>
+    <message>
+        <source>two equal poles</source>
+        <translation>två lika poler</translation>
+    </message>
+    <message>
+        <source>Stretches of the recording</source>
+        <translation>Sträckor av registreringen</translation>
+    </message>
+    <message>
+        <source>Corrected from</source>
+        <translation>Korrigeras från</translation>
+    </message>
+    <message>
+        <source>its begin</source>
+        <translation>dess början</translation>
+    </message>
+    <message>
+        <source>Corrected to</source>
+        <translation>Korrigeras till</translation>
+    </message>
+    <message>
+        <source>its end</source>
+        <translation>dess slut</translation>
+    </message>
+    <message>
+        <source>No pressure from</source>
+        <translation>Utan tryck från</translation>
+    </message>
+    <message>
+        <source>No pressure to</source>
+        <translation>Utan tryck till</translation>
+    </message>
+    <message>
+        <source>before the start</source>
+        <translation>före starten</translation>
+    </message>
+    <message>
+        <source>Beyond the band at most</source>
+        <translation>Bortom bandet högst</translation>
+    </message>
+    <message>
+        <source>from the recording</source>
+        <translation>ur registreringen</translation>
+    </message>
+    <message>
+        <source>the run on show</source>
+        <translation>den visade körningen</translation>
+    </message>
+    <message>
+        <source>as the recordings say</source>
+        <translation>som registreringarna anger</translation>
+    </message>
+</context>
+<context>
+    <name>dyncal::CorrectionView</name>
+    <message>
+        <source>Filter: the pressure from 0 to %1, nothing of it beyond %2; delay %3 (%4 samples of %5), which the times are without; gain %6 at 0 Hz; noise is amplified up to %7 times.</source>
+        <translation>Filter: trycket från 0 till %1, inget av det bortom %2; fördröjning %3 (%4 sampel av %5), som tiderna är utan; förstärkning %6 vid 0 Hz; brus förstärks upp till %7 gånger.</translation>
+    </message>
+    <message>
+        <source>Recorded signal</source>
+        <translation>Registrerad signal</translation>
+    </message>
+    <message>
+        <source>Pressure behind the recording</source>
+        <translation>Trycket bakom registreringen</translation>
+    </message>
+    <message>
+        <source>Corrected shots</source>
+        <translation>Korrigerade skott</translation>
+    </message>
+    <message>
+        <source>Findings of recordings and calibration</source>
+        <translation>Iakttagelser om registreringar och kalibrering</translation>
+    </message>
+    <message>
+        <source>Shot</source>
+        <translation>Skott</translation>
+    </message>
+    <message>
+        <source>Channel</source>
+        <translation>Kanal</translation>
+    </message>
+    <message>
+        <source>Largest pressure</source>
+        <translation>Största tryck</translation>
+    </message>
+    <message>
+        <source>U (95 %)</source>
+        <translation>U (95 %)</translation>
+    </message>
+    <message>
+        <source>k</source>
+        <translation>k</translation>
+    </message>
+    <message>
+        <source>At</source>
+        <translation>Vid</translation>
+    </message>
+    <message>
+        <source>u by noise</source>
+        <translation>u av brus</translation>
+    </message>
+    <message>
+        <source>Bound beyond the band</source>
+        <translation>Gräns bortom bandet</translation>
+    </message>
+    <message>
+        <source>Level without pressure</source>
+        <translation>Nivå utan tryck</translation>
+    </message>
+    <message>
+        <source>▲ The calibration has cautions, which hold for the correction too: %1.</source>
+        <translation>▲ Kalibreringen har varningar, som gäller även för korrektionen: %1.</translation>
+    </message>
+</context>
+<context>
+    <name>dyncal::CorrectionWindow</name>
+    <message>
+        <source>Correct a recording</source>
+        <translation>Korrigera en registrering</translation>
+    </message>
+    <message>
+        <source>Progress of the correction</source>
+        <translation>Hur långt korrektionen har kommit</translation>
+    </message>
+    <message>
+        <source>C&amp;orrect</source>
+        <translation>K&amp;orrigera</translation>
+    </message>
+    <message>
+        <source>&amp;Save...</source>
+        <translation>S&amp;para...</translation>
+    </message>
+    <message>
+        <source>Pressure, filter and calibration as CSV, JSON, MAT and Python, into a folder</source>
+        <translation>Tryck, filter och kalibrering som CSV, JSON, MAT och Python, i en mapp</translation>
+    </message>
+    <message>
+        <source>Results of the sensor&apos;s calibration</source>
+        <translation>Resultat av givarens kalibrering</translation>
+    </message>
+    <message>
+        <source>Results (results.json *.json);;All files (*)</source>
+        <translation>Resultat (results.json *.json);;Alla filer (*)</translation>
+    </message>
+    <message>
+        <source>Recordings to correct</source>
+        <translation>Registreringar att korrigera</translation>
+    </message>
+    <message>
+        <source>Save the correction into a folder</source>
+        <translation>Spara korrektionen i en mapp</translation>
+    </message>
+    <message>
+        <source>What is on show is of earlier settings; press Correct.</source>
+        <translation>Det som visas hör till tidigare inställningar; tryck på Korrigera.</translation>
+    </message>
+    <message>
+        <source>Choose the calibration of the sensor and a recording of it, then press Correct.</source>
+        <translation>Välj givarens kalibrering och en registrering från den, och tryck sedan på Korrigera.</translation>
+    </message>
+    <message>
+        <source>The recordings are being opened.</source>
+        <translation>Registreringarna öppnas.</translation>
+    </message>
+    <message>
+        <source>The recordings are being corrected.</source>
+        <translation>Registreringarna korrigeras.</translation>
+    </message>
+    <message>
+        <source>The correction is being written.</source>
+        <translation>Korrektionen skrivs.</translation>
+    </message>
+    <message>
+        <source>Stopped; nothing was changed.</source>
+        <translation>Stoppat; ingenting ändrades.</translation>
+    </message>
+    <message>
+        <source>Nothing was corrected: the recordings do not hold the pressure, as the findings say.</source>
+        <translation>Ingenting korrigerades: registreringarna innehåller inte trycket, som iakttagelserna säger.</translation>
+    </message>
+    <message>
+        <source>Corrected: the pressure is relative to that before it, with its band of 95 %.</source>
+        <translation>Korrigerat: trycket är relativt det före, med sitt band för 95 %.</translation>
+    </message>
+    <message>
+        <source>Written: %1</source>
+        <translation>Skrivet: %1</translation>
+    </message>
+    <message>
+        <source>&amp;Cancel</source>
+        <translation>&amp;Avbryt</translation>
+    </message>
+    <message>
+        <source>&amp;Close</source>
+        <translation>&amp;Stäng</translation>
+    </message>
+    <message>
+        <source>Of earlier settings: press Correct to compute it again.</source>
+        <translation>Från tidigare inställningar: tryck på Korrigera för att beräkna det igen.</translation>
+    </message>
+</context>
+<context>
     <name>dyncal::CursorTable</name>
     <message>
         <source>Values at the cursors</source>
@@ -9585,18 +9938,6 @@ steget</translation>
     <message>
         <source>Written: %1 (results.json and recipe.json alone, because of what blocks)</source>
         <translation>Skrivet: %1 (endast results.json och recipe.json, på grund av det som blockerar)</translation>
-    </message>
-    <message>
-        <source>The results are still being computed; try again in a moment.</source>
-        <translation>Resultaten beräknas fortfarande; försök igen om en stund.</translation>
-    </message>
-    <message>
-        <source>The results are out of date because the computation was cancelled; press F9 to compute them again.</source>
-        <translation>Resultaten är inaktuella eftersom beräkningen avbröts; tryck F9 för att beräkna dem igen.</translation>
-    </message>
-    <message>
-        <source>There is no model yet: open recordings and clear what blocks the stages.</source>
-        <translation>Det finns ingen modell än: öppna registreringar och åtgärda det som blockerar arbetsstegen.</translation>
     </message>
     <message>
         <source>Results are still being written to %1; wait until they are, or press Cancel.</source>
@@ -10444,6 +10785,10 @@ steget</translation>
     <message>
         <source>&amp;Self-test...</source>
         <translation>&amp;Självtest...</translation>
+    </message>
+    <message>
+        <source>Correct a recordi&amp;ng...</source>
+        <translation>&amp;Korrigera en registrering...</translation>
     </message>
 </context>
 <context>

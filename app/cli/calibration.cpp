@@ -74,8 +74,14 @@ PipelineOutcome ofWholeRecordings(PipelineOutcome outcome, const CaptureSet &set
 
 PipelineOutcome calibrate(const CaptureSet &set, const Recipe &recipe, StageId last)
 {
-    ProgressLine progress("Computing");
     ResultCache cache;
+    return calibrate(set, recipe, last, cache);
+}
+
+PipelineOutcome calibrate(
+    const CaptureSet &set, const Recipe &recipe, StageId last, ResultCache &cache)
+{
+    ProgressLine progress("Computing");
     return ofWholeRecordings(runPipeline(std::make_shared<CaptureSet>(set), recipe, cache, last,
                                  {interruptToken(), progress.sink()}),
         set);

@@ -25,6 +25,9 @@ PipelineOutcome ofWholeRecordings(PipelineOutcome outcome, const CaptureSet &set
 /// Runs the method up to `last`, with progress on stderr; stops on Ctrl-C. What was computed of
 /// recordings that did not stay whole meanwhile is not given out.
 PipelineOutcome calibrate(const CaptureSet &set, const Recipe &recipe, StageId last = kLastStage);
+/// The same beside what an earlier run of the same recordings left in the cache.
+PipelineOutcome calibrate(
+    const CaptureSet &set, const Recipe &recipe, StageId last, ResultCache &cache);
 
 /// Reports the findings and, where they do not say it, the error that stopped the run; the exit
 /// code.

@@ -9,18 +9,14 @@
 
 #include "core/base/foreign_text.h"
 #include "core/base/number_text.h"
-#include "core/capture/capture_check.h"
-#include "core/correction/correction_files.h"
-#include "core/reference/reference_source.h"
+#include "core/correction/correction_run.h"
+#include "core/pipeline/early_stages.h"
 
-#include <filesystem>
 #include <iostream>
 #include <memory>
 
 namespace dyncal {
 namespace {
-
-namespace fs = std::filesystem;
 
 struct CorrectOptions
 {
@@ -34,13 +30,6 @@ struct CorrectOptions
     std::vector<double> quiet_s;
     std::optional<double> beyond_Pa;
 };
-
-/// The results.json itself, where its folder was given.
-std::string resultsFile(const std::string &given)
-{
-    std::error_code error;
-    return fs::is_directory(given, error) ? (fs::path(given) / "results.json").string() : given;
-}
 
 /// Two times, the earlier first.
 Result<std::optional<Interval>> intervalOf(const char *option, const std::vector<double> &times_s)
@@ -65,69 +54,6 @@ Result<RecordOptions> recordOptions(const CorrectOptions &options)
             {DYNCAL_TEXT("core", "--beyond is %1; it needs a pressure of at least 0, in Pa."),
                 {numberText(*options.beyond_Pa)}});
     return RecordOptions{*window, *quiet, options.beyond_Pa};
-}
-
-/// Fills in what the results say; fails where they cannot be read.
-Result<CorrectionOutcome> withCalibration(const std::string &path)
-{
-    const auto source = sourceAt("", path);
-    if (!source)
-        return fail(ErrorKind::FileUnreadable,
-            {DYNCAL_TEXT("core",
-                 "%1 cannot be read as results of a calibration; give the folder or the results.json that dyncal run wrote."),
-                {path}});
-    return calibratedResponse(source->content, path)
-        .map([&](const CalibratedResponse &calibration) {
-            CorrectionOutcome outcome;
-            outcome.calibration = calibration;
-            outcome.calibrationFile = fs::path(path).filename().string();
-            outcome.calibrationSha256 = source->sha256;
-            return outcome;
-        });
-}
-
-/// The first sample rate of a DUT's channel; 0 where there is none.
-double rateOf(const CaptureSet &set)
-{
-    for (const Shot &shot : set.shots)
-        if (const Channel *channel = shot.channelWithRole(ChannelRole::Dut);
-            channel && shot.included)
-            return channel->sampleRate_Hz;
-    return 0.0;
-}
-
-Result<ShotPressure> correctShot(
-    const Shot &shot, Index number, const CorrectionFilter &filter, const RecordOptions &options)
-{
-    const Channel *channel = shot.channelWithRole(ChannelRole::Dut);
-    if (!channel)
-        return fail(ErrorKind::DataBlocked,
-            {DYNCAL_TEXT("core",
-                 "Shot %1 has no channel of the DUT; name it (import.channels of a recipe)."),
-                {std::to_string(number)}},
-            "CAP-002", number);
-    return recordPressure(*channel, number, filter, options).map([&](const RecordPressure &record) {
-        return ShotPressure{number, channel->name, record};
-    });
-}
-
-/// Every included shot, with progress on stderr.
-Result<void> correctShots(
-    CorrectionOutcome &outcome, const CaptureSet &set, const RecordOptions &options)
-{
-    ProgressLine progress("Correcting");
-    for (std::size_t i = 0; i < set.shots.size(); ++i) {
-        if (interruptToken().stop_requested())
-            return fail(ErrorKind::Cancelled, {});
-        if (!set.shots[i].included)
-            continue;
-        Result<ShotPressure> shot
-            = correctShot(set.shots[i], static_cast<Index>(i) + 1, outcome.filter, options);
-        if (!shot)
-            return tl::unexpected<Error>(shot.error());
-        outcome.shots.push_back(std::move(*shot));
-    }
-    return {};
 }
 
 void printCorrection(const CorrectionOutcome &outcome, const std::vector<std::string> &paths)
@@ -155,7 +81,7 @@ void printCorrection(const CorrectionOutcome &outcome, const std::vector<std::st
 int concludeCorrection(const CorrectionOutcome &outcome, const Findings &findings)
 {
     std::string ids;
-    for (const std::string &id : outcome.calibration.cautions)
+    for (const std::string &id : outcome.calibration.says.cautions)
         ids += (ids.empty() ? "" : ", ") + presentableInBrief(id);
     if (!ids.empty())
         std::cerr << "The calibration has cautions, which hold for the correction too: " << ids
@@ -166,24 +92,6 @@ int concludeCorrection(const CorrectionOutcome &outcome, const Findings &finding
         code == ExitCode::Done && !ids.empty() ? ExitCode::DoneWithCautions : code);
 }
 
-bool isOfDut(const Finding &finding, const CaptureSet &set)
-{
-    return std::ranges::any_of(set.shots, [&](const Shot &shot) {
-        const Channel *channel = shot.channelWithRole(ChannelRole::Dut);
-        return channel && shot.included && channel->name == finding.channel;
-    });
-}
-
-/// A record that left the converter's range, or that cannot be trusted otherwise, has no pressure.
-bool areCorrectable(const Findings &findings, const CaptureSet &set)
-{
-    return std::ranges::none_of(findings, [&](const Finding &finding) {
-        return finding.severity == Severity::Block
-            || (finding.severity == Severity::Caution && finding.id == "CAP-007"
-                && isOfDut(finding, set));
-    });
-}
-
 int refuseRecordings(const Findings &findings)
 {
     reportFindings(findings);
@@ -191,44 +99,49 @@ int refuseRecordings(const Findings &findings)
     return static_cast<int>(ExitCode::Blocked);
 }
 
+/// With progress on stderr.
+Result<CorrectionOutcome> corrected(const CalibrationSource &calibration, const CaptureSet &set,
+    const CorrectionSettings &filter, const RecordOptions &options)
+{
+    ProgressLine progress("Correcting");
+    return correctRecordings(
+        calibration, set, filter, options, {interruptToken(), progress.sink()});
+}
+
 int correct(const CorrectOptions &options)
 {
-    const std::string results = resultsFile(options.results);
     const Result<RecordOptions> ofRecords = recordOptions(options);
     if (!ofRecords)
         return report(ofRecords.error());
     const Result<Recipe> recipe = options.recipe.read();
     if (!recipe)
         return report(recipe.error());
-    Result<CorrectionOutcome> outcome = withCalibration(results);
-    if (!outcome)
-        return report(outcome.error());
+    const Result<CalibrationSource> calibration = calibrationAt(options.results);
+    if (!calibration)
+        return report(calibration.error());
     const Result<CaptureSet> set = readForCalibration(options.files, *recipe);
     if (!set)
         return report(set.error());
     std::vector<std::string> others = options.recipe.files();
-    others.push_back(results);
+    others.push_back(calibration->path);
     Result<FolderWrite> folder
         = FolderWrite::begin(correctionFolder(options.output, *set, std::move(others)));
     if (!folder)
         return report(folder.error());
-    const Findings findings = checkCaptures(*set, recipe->checks);
-    if (!areCorrectable(findings, *set))
-        return refuseRecordings(findings);
-    Result<CorrectionFilter> filter
-        = designCorrection(outcome->calibration.response, rateOf(*set), options.filter);
-    if (!filter)
-        return report(filter.error());
-    outcome->filter = std::move(*filter);
-    outcome->recordings = set->inputs;
-    outcome->isBoundStated = options.beyond_Pa.has_value();
-    if (const Result<void> corrected = correctShots(*outcome, *set, *ofRecords); !corrected)
-        return report(corrected.error());
+    const Result<PreparedCaptures> prepared = prepareCaptures(*set, *recipe);
+    if (!prepared)
+        return report(prepared.error());
+    if (!areCorrectable(prepared->findings, prepared->set))
+        return refuseRecordings(prepared->findings);
+    const Result<CorrectionOutcome> outcome
+        = corrected(*calibration, prepared->set, options.filter, *ofRecords);
+    if (!outcome)
+        return report(outcome.error());
     const auto paths = writeCorrection(*outcome, *folder, {interruptToken(), {}});
     if (!paths)
         return report(paths.error());
     printCorrection(*outcome, *paths);
-    return concludeCorrection(*outcome, findings);
+    return concludeCorrection(*outcome, prepared->findings);
 }
 
 void declareFilter(CLI::App &verb, CorrectOptions &options)

@@ -44,10 +44,11 @@ tl::unexpected<Error> notComputed(const EarlierRun &run, const Error &error)
         error.findingId);
 }
 
-/// The results that this program makes, as it would write them.
-Result<nlohmann::json> resultsNow(const CaptureSet &set, const EarlierRun &run)
+/// The results that this program makes up to a stage, as it would write them.
+Result<nlohmann::json> resultsNow(
+    const CaptureSet &set, const EarlierRun &run, StageId last, ResultCache &cache)
 {
-    const PipelineOutcome outcome = calibrate(set, run.recipe);
+    const PipelineOutcome outcome = calibrate(set, run.recipe, last, cache);
     if (outcome.error && outcome.error->kind != ErrorKind::DataBlocked)
         return notComputed(run, *outcome.error);
     const std::string created = textAt(run.results, "created_utc");
@@ -83,6 +84,22 @@ Result<CaptureSet> recordingsOf(const EarlierRun &run, const NamedRecordings &re
         "CAP-015");
 }
 
+/// Of the Monte Carlos nothing is compared but their findings: where all that they are drawn from
+/// is as issued, to the last bit and by the same methods, these are, too.
+Result<RecheckedRun> computedAgain(const CaptureSet &set, const EarlierRun &run)
+{
+    ResultCache cache;
+    const auto early
+        = resultsNow(set, run, StageId::Evidence, cache).map([&](const nlohmann::json &now) {
+              return recheckedRun(run, now, {}, RecheckDepth::ToEvidence);
+          });
+    if (!early || early->isAsIssued())
+        return early;
+    return resultsNow(set, run, kLastStage, cache).map([&](const nlohmann::json &now) {
+        return recheckedRun(run, now);
+    });
+}
+
 Result<RecheckedRun> recheckRun(const EarlierRun &run, const std::vector<std::string> &paths)
 {
     const Result<NamedRecordings> recordings = NamedRecordings::of(run.inputs, paths);
@@ -93,8 +110,7 @@ Result<RecheckedRun> recheckRun(const EarlierRun &run, const std::vector<std::st
         return recheckedRun(run, {}, refusalText(set.error()));
     if (!set)
         return tl::unexpected<Error>(set.error());
-    return resultsNow(*set, run).map(
-        [&](const nlohmann::json &now) { return recheckedRun(run, now); });
+    return computedAgain(*set, run);
 }
 
 Result<RecheckedRun> recheckFolder(const std::string &folder, RecordingSearch &search)

@@ -23,11 +23,11 @@ std::string nameOf(const QuantityPair &pair)
     return presentableInBrief(pair.where.empty() ? pair.of : pair.of + " (" + pair.where + ")");
 }
 
-std::string valueText(double value, const QuantityPair &pair)
+std::string valueText(double value, double u, const std::string &unit)
 {
     if (!std::isfinite(value))
         return "none";
-    return roundedText(value, pair.u, presentableInBrief(pair.unit));
+    return roundedText(value, u, presentableInBrief(unit));
 }
 
 std::string expandedText(const QuantityDifference &difference)
@@ -44,6 +44,8 @@ std::string ratioText(const RecheckRow &row)
     switch (row.kind) {
     case RecheckKind::Withdrawn:
         return "withdrawn";
+    case RecheckKind::UnitChanged:
+        return "other unit";
     case RecheckKind::StatedNow:
         return "stated now";
     default:
@@ -54,7 +56,10 @@ std::string ratioText(const RecheckRow &row)
 Cells cellsOf(const RecheckRow &row)
 {
     const QuantityPair &pair = row.difference->pair;
-    return {ratioText(row), nameOf(pair), valueText(pair.issued, pair), valueText(pair.now, pair),
+    const bool isSameUnit = row.kind != RecheckKind::UnitChanged;
+    return {ratioText(row), nameOf(pair), valueText(pair.issued, pair.u, pair.unit),
+        isSameUnit ? valueText(pair.now, pair.u, pair.unit)
+                   : valueText(pair.now, pair.uNow, pair.unitNow),
         expandedText(*row.difference), presentableInBrief(row.answer->folder)};
 }
 
@@ -93,9 +98,9 @@ std::string verdictOf(const RecheckedRun &run)
 {
     if (run.isNewlyBlocked())
         return "now blocked by " + presentable(run.blockedNow);
-    const auto count = std::ranges::count_if(run.quantities.list,
-        [](const auto &one) { return one.isOverU() || one.fate == QuantityFate::Withdrawn; });
-    return count == 0 ? "none" : std::to_string(count) + " over U or withdrawn";
+    const auto count = std::ranges::count_if(
+        run.quantities.list, [](const auto &one) { return one.isOverU() || one.isGone(); });
+    return count == 0 ? "none" : std::to_string(count) + " over U, withdrawn or in another unit";
 }
 
 bool isAllAsIssued(const QuantityDifferences &quantities)

@@ -109,8 +109,8 @@ void addSelfTest(CLI::App &program, VerbAction &action)
     verb->add_option(
             "-o,--output", options->output, "Folder for the report, selftest.pdf and selftest.json")
         ->type_name("DIR");
-    verb->add_option(
-            "--calibrations", options->calibrations, "Of the coverage study (40); 0 leaves it out")
+    verb->add_option("--calibrations", options->calibrations,
+            "Of the coverage study (40); 0 leaves it out, else at least 6")
         ->type_name("N");
     verb->add_flag("--json", options->json, "As JSON");
     verb->footer("Exit code 2 where something deviates.\n"

@@ -45,16 +45,21 @@ FewFilters fewFilters(const Eigen::MatrixXd &tapErrors)
     return {taps, taps.transpose() * tapErrors};
 }
 
-ResponseShare responseShare(const FirPassage &passage, const CorrectionFilter &filter)
+/// Of no use once it was asked to stop.
+ResponseShare responseShare(
+    const FirPassage &passage, const CorrectionFilter &filter, const JobControl &control)
 {
     constexpr Index kSamplesAtOnce = 4096;
     const FewFilters few = fewFilters(filter.tapErrors);
     Eigen::MatrixXd passed(passage.size(), few.taps.cols());
-    for (Index r = 0; r < passed.cols(); ++r)
+    for (Index r = 0; r < passed.cols() && !control.stopRequested(); ++r) {
         passed.col(r) = passage.through(few.taps.col(r));
+        control.report(static_cast<double>(r + 1) / static_cast<double>(passed.cols()));
+    }
     ResponseShare share{Eigen::VectorXd(passed.rows()), Eigen::VectorXd(passed.rows())};
     const Eigen::VectorXd overDof = filter.errorDof.cwiseInverse();
-    for (Index first = 0; first < passed.rows(); first += kSamplesAtOnce) {
+    for (Index first = 0; first < passed.rows() && !control.stopRequested();
+         first += kSamplesAtOnce) {
         const Index count = std::min(kSamplesAtOnce, passed.rows() - first);
         const Eigen::ArrayXXd squares
             = (passed.middleRows(first, count) * few.shares).array().square();
@@ -204,7 +209,8 @@ Result<void> checkStretch(
 } // namespace
 
 Result<CorrectedPressure> correctedPressure(const RecordedStretch &stretch,
-    const NoiseDensity &noise, const CorrectionFilter &filter, std::optional<double> beyond_Pa)
+    const NoiseDensity &noise, const CorrectionFilter &filter, std::optional<double> beyond_Pa,
+    const JobControl &control)
 {
     const Result<CorrectionFilter> lower = lowerHalf(filter);
     if (!lower)
@@ -228,7 +234,10 @@ Result<CorrectedPressure> correctedPressure(const RecordedStretch &stretch,
         = std::sqrt(ofNoise.variance + noise.ofBaseline() * filter.gain() * filter.gain());
     result.bound_Pa = beyond_Pa ? Eigen::VectorXd::Constant(passage.size(), *beyond_Pa)
                                 : boundOf(stretch, noise, filter, *lower);
-    combine(result, responseShare(passage, filter), ofNoise);
+    const ResponseShare share = responseShare(passage, filter, control);
+    if (control.stopRequested())
+        return fail(ErrorKind::Cancelled, {DYNCAL_TEXT("core", "Cancelled."), {}});
+    combine(result, share, ofNoise);
     return result;
 }
 

@@ -3,6 +3,7 @@
 
 #pragma once
 
+#include "core/base/progress.h"
 #include "core/correction/correction_filter.h"
 #include "core/model_analysis/noise_density.h"
 
@@ -44,9 +45,10 @@ struct CorrectedPressure
 /// `beyond_Pa` where given; else what the pressure has in the upper half of the band within 1/band
 /// of each sample, as far as it stands out of noise (of its square nine variances are taken off):
 /// that the pressure has no more beyond the band than there is the assumption. Fails (Usage) where
-/// the stretch is too short, (DataBlocked) where a value is not finite.
+/// the stretch is too short, (DataBlocked) where a value is not finite, (Cancelled) when asked to
+/// stop.
 Result<CorrectedPressure> correctedPressure(const RecordedStretch &stretch,
-    const NoiseDensity &noise, const CorrectionFilter &filter,
-    std::optional<double> beyond_Pa = {});
+    const NoiseDensity &noise, const CorrectionFilter &filter, std::optional<double> beyond_Pa = {},
+    const JobControl &control = {});
 
 } // namespace dyncal

@@ -17,6 +17,7 @@ namespace dyncal {
 namespace {
 
 constexpr const char *kSummaryOfCorrection = "correction.json";
+constexpr const char *kCalibrationOfCorrection = "calibration.json";
 constexpr std::string_view kPressureFile = "pressure_shot_";
 constexpr std::size_t kDigitsOfShot = 3;
 
@@ -43,7 +44,7 @@ bool isPressureFile(const std::string &name)
 
 bool isCorrectionName(const std::string &name)
 {
-    return name == kSummaryOfCorrection || isPressureFile(name)
+    return name == kSummaryOfCorrection || name == kCalibrationOfCorrection || isPressureFile(name)
         || std::ranges::find(filterFileNames(), name) != filterFileNames().end();
 }
 
@@ -117,11 +118,11 @@ std::string summaryJson(const CorrectionOutcome &outcome)
     root.set("schema", "dyncal-correction/1");
     root.set("software", std::string("dyncal ") + versionText());
     root.set("calibration",
-        {{"file", outcome.calibrationFile}, {"sha256", outcome.calibrationSha256},
-            {"created_utc", outcome.calibration.createdUtc},
-            {"cautions", outcome.calibration.cautions}});
+        {{"file", outcome.calibration.file}, {"sha256", outcome.calibration.sha256},
+            {"created_utc", outcome.calibration.says.createdUtc},
+            {"cautions", outcome.calibration.says.cautions}});
     root.set("inputs", recordingsOfCorrection(outcome.recordings));
-    root.number("f_low_hz", outcome.calibration.fLow_Hz, "Not stated.");
+    root.number("f_low_hz", outcome.calibration.says.fLow_Hz, "Not stated.");
     root.number("band_hz", outcome.filter.lowPass.band_Hz, "Not finite.");
     root.number("edge_hz", outcome.filter.lowPass.edge_Hz, "Not finite.");
     root.set("coverage", kCoverageOfPressure);
@@ -135,7 +136,8 @@ std::string summaryJson(const CorrectionOutcome &outcome)
 
 std::vector<FilterFile> filesOfCorrection(const CorrectionOutcome &outcome)
 {
-    std::vector<FilterFile> files{{kSummaryOfCorrection, summaryJson(outcome)}};
+    std::vector<FilterFile> files{{kSummaryOfCorrection, summaryJson(outcome)},
+        {kCalibrationOfCorrection, outcome.calibration.text}};
     for (const ShotPressure &shot : outcome.shots)
         files.push_back({pressureFile(shot.shot), pressureCsv(shot.record.pressure)});
     for (FilterFile &file : filterFiles(outcome.filter))
@@ -149,7 +151,7 @@ FolderRequest correctionFolder(
     const std::string &folder, const CaptureSet &set, std::vector<std::string> others)
 {
     std::vector<std::string> names = filterFileNames();
-    names.push_back(kSummaryOfCorrection);
+    names.insert(names.end(), {kSummaryOfCorrection, kCalibrationOfCorrection});
     std::vector<std::string> recordings;
     for (const InputFile &input : set.inputs)
         recordings.push_back(input.path);

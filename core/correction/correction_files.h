@@ -22,12 +22,20 @@ struct ShotPressure
     RecordPressure record;
 };
 
+/// A results.json and what it says.
+struct CalibrationSource
+{
+    CalibratedResponse says;
+    std::string path; ///< as given; "" of one that is no file
+    std::string file; ///< its base name
+    std::string sha256;
+    std::string text;
+};
+
 /// A correction as it leaves the program.
 struct CorrectionOutcome
 {
-    CalibratedResponse calibration;
-    std::string calibrationFile; ///< base name of its results.json
-    std::string calibrationSha256;
+    CalibrationSource calibration;
     std::vector<InputFile> recordings;
     CorrectionFilter filter;
     std::vector<ShotPressure> shots;
@@ -40,9 +48,10 @@ FolderRequest correctionFolder(
     const std::string &folder, const CaptureSet &set, std::vector<std::string> others);
 
 /// Writes, as one transaction, correction.json (schema "dyncal-correction/1"), pressure_shot_N.csv
-/// of every shot, and the filter as filter.json, filter.csv, filter_errors.csv, filter.mat and
-/// filter.py; an earlier correction there is replaced. Returns the paths. Fails as
-/// FolderWrite::commit.
+/// of every shot, the filter as filter.json, filter.csv, filter_errors.csv, filter.mat and
+/// filter.py, and the results.json that it was made from as calibration.json: with it and the
+/// recordings the correction can be repeated. An earlier correction there is replaced. Returns the
+/// paths. Fails as FolderWrite::commit.
 Result<std::vector<std::string>> writeCorrection(
     const CorrectionOutcome &outcome, FolderWrite &folder, const JobControl &control = {});
 

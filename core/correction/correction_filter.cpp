@@ -242,6 +242,13 @@ Eigen::VectorXcd CorrectionFilter::at(const Eigen::VectorXd &frequency_Hz) const
     return values;
 }
 
+double CorrectionFilter::noiseAmplification() const
+{
+    constexpr Index kGridOverTaps = 4;
+    const RealFft fft(fastFftLength(std::max(kShortestGrid, kGridOverTaps * taps.size())));
+    return fft.forward(taps).cwiseAbs().maxCoeff() / std::abs(gain());
+}
+
 Result<CorrectionFilter> designCorrection(
     const KnownResponse &response, double rate_Hz, const CorrectionSettings &settings)
 {

@@ -33,6 +33,7 @@ struct CorrectionFilter
 
     double delay_s() const { return static_cast<double>(delaySamples) / rate_Hz; }
     double gain() const { return taps.sum(); } ///< at 0 Hz, Pa per unit of the recording
+    double noiseAmplification() const; ///< the largest |H(f)| over that at 0 Hz
     /// H at each frequency, with the delay taken off.
     Eigen::VectorXcd at(const Eigen::VectorXd &frequency_Hz) const;
     Eigen::VectorXd u_taps() const { return tapErrors.rowwise().norm(); }

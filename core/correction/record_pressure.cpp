@@ -130,7 +130,7 @@ Result<SampleRange> windowRange(
         return range;
     return refusedRecord(
         DYNCAL_TEXT("core",
-            "Shot %1: the stretch to be corrected has %2 samples of channel %3; it needs 1 to %4 (--window BEGIN,END in seconds of the recording)."),
+            "Shot %1: the stretch to be corrected has %2 samples of channel %3; it needs 1 to %4 (--window)."),
         {std::to_string(shot), std::to_string(count), channel.name,
             std::to_string(kMostCorrected)});
 }
@@ -164,14 +164,15 @@ Result<CorrectedPressure> withinWindow(
 }
 
 Result<CorrectedPressure> pressureIn(const Channel &channel, const SampleRange &window,
-    const QuietRecord &quiet, const CorrectionFilter &filter, std::optional<double> beyond_Pa)
+    const QuietRecord &quiet, const CorrectionFilter &filter, std::optional<double> beyond_Pa,
+    const JobControl &control)
 {
     const Index margin = kMarginInFilters * filter.taps.size();
     const Index begin = std::max<Index>(window.begin - margin, 0);
     const Index end = std::min(window.end + margin, channel.samples.size());
     const RecordedStretch stretch{
         physicalValues(channel, begin, end - begin).array() - quiet.level, channel.timeOf_s(begin)};
-    return correctedPressure(stretch, NoiseDensity(quiet.noise), filter, beyond_Pa)
+    return correctedPressure(stretch, NoiseDensity(quiet.noise), filter, beyond_Pa, control)
         .and_then(
             [&](const CorrectedPressure &whole) { return withinWindow(whole, channel, window); });
 }
@@ -187,7 +188,7 @@ tl::unexpected<Error> unreadable(const Channel &channel, Index shot)
 } // namespace
 
 Result<RecordPressure> recordPressure(const Channel &channel, Index shot,
-    const CorrectionFilter &filter, const RecordOptions &options)
+    const CorrectionFilter &filter, const RecordOptions &options, const JobControl &control)
 {
     if (const Result<void> checked = checkChannel(channel, shot, filter); !checked)
         return tl::unexpected<Error>(checked.error());
@@ -198,7 +199,7 @@ Result<RecordPressure> recordPressure(const Channel &channel, Index shot,
     if (!window || !quiet)
         return tl::unexpected<Error>(window ? quiet.error() : window.error());
     Result<CorrectedPressure> pressure
-        = pressureIn(channel, *window, *quiet, filter, options.beyond_Pa);
+        = pressureIn(channel, *window, *quiet, filter, options.beyond_Pa, control);
     if (!channel.samples.isWhole())
         return unreadable(channel, shot);
     return pressure.map([&](const CorrectedPressure &found) {

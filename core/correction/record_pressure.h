@@ -4,6 +4,7 @@
 #pragma once
 
 #include "core/base/interval.h"
+#include "core/base/progress.h"
 #include "core/base/result.h"
 #include "core/capture/channel.h"
 #include "core/correction/corrected_pressure.h"
@@ -39,8 +40,9 @@ inline constexpr Index kFewestQuiet = 256;
 /// is the number that messages name. Fails (Usage) where the channel's unit or rate is not the
 /// filter's, where the window or the quiet stretch does not lie in the record, is too long or has
 /// too few samples; (DataBlocked) where no start is found and none is stated, where samples are no
-/// numbers, and (FileUnreadable) where they cannot be read.
+/// numbers, (FileUnreadable) where they cannot be read, and (Cancelled) when asked to stop.
 Result<RecordPressure> recordPressure(const Channel &channel, Index shot,
-    const CorrectionFilter &filter, const RecordOptions &options = {});
+    const CorrectionFilter &filter, const RecordOptions &options = {},
+    const JobControl &control = {});
 
 } // namespace dyncal

@@ -16,6 +16,11 @@ using FoundList = std::vector<StatedFinding>;
 /// A file of a folder that was left out: of the folder that was given then, not of the recordings.
 constexpr const char *kOfTheFolder = "CAP-024";
 
+bool isDrawn(const StatedFinding &finding)
+{
+    return finding.id == "SHK-012" || finding.id == "UNC-003";
+}
+
 StatedFinding statedFinding(const nlohmann::json &json)
 {
     const double shot = numberAt(json, "shot");
@@ -56,10 +61,14 @@ std::string StatedFinding::text() const
         + "): " + message;
 }
 
-FindingChanges findingChanges(const nlohmann::json &issued, const nlohmann::json &now)
+FindingChanges findingChanges(
+    const nlohmann::json &issued, const nlohmann::json &now, RecheckDepth depth)
 {
-    const FoundList before = statedFindings(issued);
-    const FoundList after = statedFindings(now);
+    FoundList before = statedFindings(issued);
+    FoundList after = statedFindings(now);
+    if (depth == RecheckDepth::ToEvidence)
+        for (FoundList *list : {&before, &after})
+            std::erase_if(*list, isDrawn);
     return {without(after, before), without(before, after)};
 }
 

@@ -30,9 +30,17 @@ struct FindingChanges
     std::vector<StatedFinding> gone;
 };
 
+/// How far a run was computed again.
+enum class RecheckDepth {
+    ToEvidence, ///< without the Monte Carlos, of which only findings are compared
+    Whole,
+};
+
 /// Findings are the same where id, severity and shot are. CAP-024 is of the folder that was given
-/// then and not of its recordings, so that it says nothing here.
-FindingChanges findingChanges(const nlohmann::json &issued, const nlohmann::json &now);
+/// then and not of its recordings, so that it says nothing here; where `now` was computed to the
+/// evidence only, nor do those that a Monte Carlo raises (SHK-012, UNC-003).
+FindingChanges findingChanges(const nlohmann::json &issued, const nlohmann::json &now,
+    RecheckDepth depth = RecheckDepth::Whole);
 
 /// Why the run of these results allowed none to be issued: the error that stopped it, else its
 /// first finding that blocks. Empty: nothing blocks.

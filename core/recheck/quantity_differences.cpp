@@ -20,17 +20,35 @@ bool hasU(const QuantityPair &pair)
     return pair.u > 0.0 && std::isfinite(pair.u);
 }
 
+bool isExact(const QuantityPair &pair)
+{
+    return pair.u == 0.0 && pair.uNow == 0.0;
+}
+
+bool hasOtherUnit(const QuantityPair &pair)
+{
+    return std::isfinite(pair.now) && !pair.unit.empty() && !pair.unitNow.empty()
+        && pair.unit != pair.unitNow;
+}
+
+double overU(double change, double U)
+{
+    return change == 0.0 ? 0.0 : std::abs(change) / U;
+}
+
 /// With U = k u as issued, where there is one.
 QuantityDifference ofStated(const QuantityPair &pair)
 {
     QuantityDifference difference{pair};
-    if (hasU(pair)) {
+    if (hasU(pair) || isExact(pair)) {
         difference.isKAssumed = !(pair.k > 0.0 && std::isfinite(pair.k));
         difference.k = difference.isKAssumed ? kAssumedCoverage : pair.k;
         difference.U = difference.k * pair.u;
     }
-    if (std::isfinite(pair.now))
-        difference.overU = std::abs(changeOf(pair)) / difference.U;
+    if (hasOtherUnit(pair))
+        difference.fate = QuantityFate::UnitChanged;
+    else if (std::isfinite(pair.now))
+        difference.overU = overU(changeOf(pair), difference.U);
     else
         difference.fate = QuantityFate::Withdrawn;
     return difference;
@@ -46,7 +64,8 @@ QuantityDifference differenceOf(const QuantityPair &pair)
 bool isComparable(const QuantityPair &pair)
 {
     const bool wasStated = std::isfinite(pair.issued), isStated = std::isfinite(pair.now);
-    return wasStated && isStated ? hasU(pair) : wasStated != isStated;
+    return wasStated && isStated ? hasU(pair) || isExact(pair) || hasOtherUnit(pair)
+                                 : wasStated != isStated;
 }
 
 bool isWorse(const QuantityDifference &a, const QuantityDifference &b)

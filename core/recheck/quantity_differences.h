@@ -12,6 +12,7 @@ namespace dyncal {
 /// What became of a stated quantity.
 enum class QuantityFate {
     Withdrawn, ///< stated then, with U or without, not determined now
+    UnitChanged, ///< stated now in another unit: the numbers cannot be compared
     Compared,
     StatedNow, ///< not determined then
 };
@@ -23,9 +24,14 @@ struct QuantityDifference
     double U = kUnknown; ///< as issued, expanded; NaN where none was stated
     double k = kUnknown; ///< that makes U of u
     bool isKAssumed = false; ///< the results state none
-    double overU = kUnknown; ///< |now - issued|/U; NaN unless compared
+    double overU = kUnknown; ///< |now - issued|/U; NaN unless compared, infinite where U is 0
 
     bool isOverU() const { return overU > 1.0; }
+    /// What was stated is no longer, or not as that.
+    bool isGone() const
+    {
+        return fate == QuantityFate::Withdrawn || fate == QuantityFate::UnitChanged;
+    }
 };
 
 /// k of results that state none.
@@ -33,7 +39,8 @@ inline constexpr double kAssumedCoverage = 2.0;
 
 struct QuantityDifferences
 {
-    std::vector<QuantityDifference> list; ///< withdrawn, compared with the worst first, stated now
+    /// Withdrawn, in another unit, compared with the worst first, stated now.
+    std::vector<QuantityDifference> list;
     int withoutU = 0; ///< values stated without an uncertainty, which cannot be compared
 
     /// The largest of overU that is not above 1, 0 where nothing was compared.
@@ -42,8 +49,9 @@ struct QuantityDifferences
     int compared() const;
 };
 
-/// U = k u as issued; differences of angles are those of the nearest turn. Quantities that are
-/// determined neither then nor now are left out. Order among equals as in `pairs`.
+/// U = k u as issued; differences of angles are those of the nearest turn. Values that are stated
+/// with u = 0 then and now are exact: any difference is over U. Quantities that are determined
+/// neither then nor now are left out. Order among equals as in `pairs`.
 QuantityDifferences quantityDifferences(const std::vector<QuantityPair> &pairs);
 
 } // namespace dyncal

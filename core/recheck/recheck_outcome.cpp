@@ -15,8 +15,8 @@ namespace {
 
 using AnswerJson = nlohmann::json;
 
-constexpr std::array<const char *, 8> kKindNames{"unreadable", "blocked", "withdrawn", "over-u",
-    "stated-now", "finding-appeared", "finding-gone", "methods"};
+constexpr std::array<const char *, 9> kKindNames{"unreadable", "blocked", "withdrawn",
+    "unit-changed", "over-u", "stated-now", "finding-appeared", "finding-gone", "methods"};
 
 std::string softwareText(const AnswerJson &results)
 {
@@ -41,6 +41,8 @@ RecheckKind kindOf(const QuantityDifference &difference)
     switch (difference.fate) {
     case QuantityFate::Withdrawn:
         return RecheckKind::Withdrawn;
+    case QuantityFate::UnitChanged:
+        return RecheckKind::UnitChanged;
     case QuantityFate::Compared:
         break;
     case QuantityFate::StatedNow:
@@ -119,6 +121,7 @@ AnswerJson quantityJson(const QuantityDifference &difference)
     const QuantityPair &pair = difference.pair;
     const bool hasU = std::isfinite(difference.U);
     return {{"of", pair.of}, {"where", textOrNull(pair.where)}, {"unit", textOrNull(pair.unit)},
+        {"unit_now", std::isfinite(pair.now) ? textOrNull(pair.unitNow) : AnswerJson()},
         {"issued", numberOrNull(pair.issued)}, {"now", numberOrNull(pair.now)},
         {"u_expanded", numberOrNull(difference.U)},
         {"k", hasU ? AnswerJson(difference.k) : AnswerJson()},
@@ -130,8 +133,8 @@ AnswerJson quantityJson(const QuantityDifference &difference)
 AnswerJson noQuantityJson()
 {
     AnswerJson json;
-    for (const char *key : {"of", "where", "unit", "issued", "now", "u_expanded", "k", "k_assumed",
-             "u_of_noise_alone", "difference_over_u"})
+    for (const char *key : {"of", "where", "unit", "unit_now", "issued", "now", "u_expanded", "k",
+             "k_assumed", "u_of_noise_alone", "difference_over_u"})
         json[key] = nullptr;
     return json;
 }
@@ -154,20 +157,27 @@ AnswerJson recheckRowJson(const RecheckRow &row)
 bool RecheckedRun::hasDifferences() const
 {
     return isNewlyBlocked()
-        || std::ranges::any_of(quantities.list, [](const QuantityDifference &one) {
-               return one.fate == QuantityFate::Withdrawn || one.isOverU();
-           });
+        || std::ranges::any_of(quantities.list,
+            [](const QuantityDifference &one) { return one.isGone() || one.isOverU(); });
 }
 
-RecheckedRun recheckedRun(
-    const EarlierRun &run, const nlohmann::json &now, const std::string &refusal)
+bool RecheckedRun::isAsIssued() const
+{
+    return areMethodsRecorded && methods.empty() && blockedThen.empty() && blockedNow.empty()
+        && findings.appeared.empty() && findings.gone.empty()
+        && std::ranges::all_of(
+            quantities.list, [](const QuantityDifference &one) { return one.overU == 0.0; });
+}
+
+RecheckedRun recheckedRun(const EarlierRun &run, const nlohmann::json &now,
+    const std::string &refusal, RecheckDepth depth)
 {
     const auto methods = statedMethods(run.results);
     RecheckedRun rechecked{textAt(run.results, "created_utc"), softwareText(run.results),
         methods.has_value(), methodChanges(methods, methodVersions()), blockOf(run.results),
         refusal.empty() ? blockOf(now) : refusal,
-        quantityDifferences(statedQuantities(run.results, now)), findingChanges(run.results, now),
-        run.remarks};
+        quantityDifferences(statedQuantities(run.results, now)),
+        findingChanges(run.results, now, depth), run.remarks};
     if (!rechecked.blockedNow.empty())
         forgetWhatStopped(rechecked);
     if (!rechecked.blockedThen.empty())
@@ -186,7 +196,7 @@ bool RecheckRow::needsAmendment() const
 {
     return answer->run && answer->run->blockedThen.empty()
         && (kind == RecheckKind::Blocked || kind == RecheckKind::Withdrawn
-            || kind == RecheckKind::OverU);
+            || kind == RecheckKind::UnitChanged || kind == RecheckKind::OverU);
 }
 
 std::vector<RecheckRow> recheckRows(const std::vector<RecheckAnswer> &answers)

@@ -27,17 +27,22 @@ struct RecheckedRun
     std::vector<Message> remarks;
 
     bool isNewlyBlocked() const { return !blockedNow.empty() && blockedThen.empty(); }
-    /// Something that was stated no longer holds: blocked, withdrawn, or beyond its U.
+    /// Something that was stated no longer holds: blocked, withdrawn, in another unit, or beyond
+    /// its U.
     bool hasDifferences() const;
+    /// Same methods, same findings, every value to the last bit: whatever is drawn from these
+    /// values is as issued, too.
+    bool isAsIssued() const;
     /// Differences of what could be issued.
     bool needsAmendment() const { return blockedThen.empty() && hasDifferences(); }
 };
 
 /// The earlier results beside `now`, the results.json of this program from the same recordings and
 /// recipe; null where the recordings are refused today, which `refusal` then says. Where only one
-/// of both is blocked, that stands for all that is stated on one side alone.
-RecheckedRun recheckedRun(
-    const EarlierRun &run, const nlohmann::json &now, const std::string &refusal = {});
+/// of both is blocked, that stands for all that is stated on one side alone. `depth`: how far `now`
+/// was computed.
+RecheckedRun recheckedRun(const EarlierRun &run, const nlohmann::json &now,
+    const std::string &refusal = {}, RecheckDepth depth = RecheckDepth::Whole);
 
 /// A folder and what became of it; the error says why it could not be computed again.
 struct RecheckAnswer
@@ -51,6 +56,7 @@ enum class RecheckKind {
     Unreadable,
     Blocked,
     Withdrawn,
+    UnitChanged,
     OverU,
     StatedNow,
     FindingAppeared,
@@ -65,7 +71,7 @@ struct RecheckRow
 {
     const RecheckAnswer *answer = nullptr;
     RecheckKind kind = RecheckKind::Unreadable;
-    const QuantityDifference *difference = nullptr; ///< of Withdrawn, OverU, StatedNow
+    const QuantityDifference *difference = nullptr; ///< of Withdrawn, UnitChanged, OverU, StatedNow
     std::string message = {}; ///< of the others
 
     bool needsAmendment() const;
@@ -75,9 +81,9 @@ struct RecheckRow
 std::vector<RecheckRow> recheckRows(const std::vector<RecheckAnswer> &answers);
 
 /// A list of the rows as objects: `folder`, `number` (null), `kind`, `of`, `where`, `unit`,
-/// `issued`, `now`, `u_expanded`, `k`, `k_assumed`, `u_of_noise_alone`, `difference_over_u`,
-/// `method_issued`, `method_now` ({step: version} of those that changed), `amendment_needed`,
-/// `message`.
+/// `unit_now`, `issued`, `now`, `u_expanded`, `k`, `k_assumed`, `u_of_noise_alone`,
+/// `difference_over_u`, `method_issued`, `method_now` ({step: version} of those that changed),
+/// `amendment_needed`, `message`.
 std::string recheckJson(const std::vector<RecheckAnswer> &answers);
 
 /// "shock 1 -> 6, uncertainty 3 (new)", with a word where the results are of a later version or of

@@ -26,8 +26,34 @@ struct QuantityKeys
     const char *value;
     const char *u;
     const char *k; ///< of results that state it
-    const char *unit; ///< the unit itself
+    const char *unit; ///< the unit itself, as issued
+    const char *unitNow = unit; ///< the same as always, where it is not stated
 };
+
+/// Both of a quantity whose unit is stated beside it.
+struct StatedUnits
+{
+    std::string issued;
+    std::string now;
+
+    StatedUnits(const Json &then, const Json &later, const char *key = "unit")
+        : issued(textAt(then, key))
+        , now(textAt(later, key))
+    {
+    }
+
+    QuantityKeys keys(const char *value, const char *u, const char *k) const
+    {
+        return {value, u, k, issued.c_str(), now.c_str()};
+    }
+};
+
+QuantityPair pairOf(const std::string &of, const std::string &where, const QuantityKeys &keys)
+{
+    QuantityPair pair{of, where, keys.unit};
+    pair.unitNow = keys.unitNow;
+    return pair;
+}
 
 constexpr std::array<QuantityKeys, 5> kOfShock{
     {{"velocity_m_s", "u_velocity_m_s", "velocity_k", "m/s"}, {"mach", "u_mach", "", "1"},
@@ -41,9 +67,15 @@ constexpr std::array<QuantityKeys, 3> kOfBands{{{"within_5_percent_hz", "", "", 
 void addQuantity(Pairs &pairs, const std::string &of, const std::string &where, const Json &issued,
     const Json &now, const QuantityKeys &keys)
 {
-    if (issued.is_object() && issued.contains(keys.value))
-        pairs.push_back({of, where, keys.unit, numberAt(issued, keys.value),
-            numberAt(issued, keys.u), numberAt(issued, keys.k), numberAt(now, keys.value)});
+    if (!issued.is_object() || !issued.contains(keys.value))
+        return;
+    QuantityPair pair = pairOf(of, where, keys);
+    pair.issued = numberAt(issued, keys.value);
+    pair.u = numberAt(issued, keys.u);
+    pair.k = numberAt(issued, keys.k);
+    pair.now = numberAt(now, keys.value);
+    pair.uNow = numberAt(now, keys.u);
+    pairs.push_back(std::move(pair));
 }
 
 /// The entry of the list whose `identity` is that of `entry`; null where there is none.
@@ -69,9 +101,8 @@ std::string ofShot(const Json &entry)
 
 void addCharacteristic(Pairs &pairs, const Json &entry, const Json &issued, const Json &now)
 {
-    const std::string unit = textAt(entry, "unit");
-    addQuantity(
-        pairs, textAt(entry, "quantity"), {}, issued, now, {"value", "u", "k", unit.c_str()});
+    const StatedUnits units(entry, now);
+    addQuantity(pairs, textAt(entry, "quantity"), {}, issued, now, units.keys("value", "u", "k"));
 }
 
 /// A list of what could be determined: one that is in the later one alone was not, then.
@@ -85,18 +116,18 @@ void addCharacteristics(Pairs &pairs, const Json &issued, const Json &now)
             addCharacteristic(pairs, one, undetermined, one);
 }
 
-void addLevels(Pairs &pairs, const Json &issued, const Json &now, const std::string &unit)
+void addLevels(Pairs &pairs, const Json &issued, const Json &now, const StatedUnits &units)
 {
     for (std::size_t i = 0; issued.is_array() && i < issued.size(); ++i)
         addQuantity(pairs, placed("sensitivity.per_level", i), textAt(issued[i], "level"),
-            issued[i], sameEntry(now, issued[i], "level"), {"value", "u", "k", unit.c_str()});
+            issued[i], sameEntry(now, issued[i], "level"), units.keys("value", "u", "k"));
 }
 
 void addSensitivities(Pairs &pairs, const Json &issued, const Json &now)
 {
-    const std::string unit = textAt(issued, "unit");
-    addQuantity(pairs, "sensitivity", {}, issued, now, {"value", "u", "k", unit.c_str()});
-    addLevels(pairs, valueAt(issued, "per_level"), valueAt(now, "per_level"), unit);
+    const StatedUnits units(issued, now);
+    addQuantity(pairs, "sensitivity", {}, issued, now, units.keys("value", "u", "k"));
+    addLevels(pairs, valueAt(issued, "per_level"), valueAt(now, "per_level"), units);
     addQuantity(pairs, "sensitivity.linearity_per_pa", {}, issued, now,
         {"linearity_per_pa", "u_linearity_per_pa", "", "1/Pa"});
 }
@@ -104,10 +135,10 @@ void addSensitivities(Pairs &pairs, const Json &issued, const Json &now)
 void addShots(Pairs &pairs, const Json &issued, const Json &now)
 {
     for (std::size_t i = 0; issued.is_array() && i < issued.size(); ++i) {
-        const std::string unit = textAt(issued[i], "sensitivity_unit");
+        const Json &shotNow = sameEntry(now, issued[i], "shot");
+        const StatedUnits units(issued[i], shotNow, "sensitivity_unit");
         addQuantity(pairs, placed("shots", i) + ".sensitivity", ofShot(issued[i]), issued[i],
-            sameEntry(now, issued[i], "shot"),
-            {"sensitivity", "u_sensitivity", "k_sensitivity", unit.c_str()});
+            shotNow, units.keys("sensitivity", "u_sensitivity", "k_sensitivity"));
     }
 }
 
@@ -139,11 +170,19 @@ void addColumn(Pairs &pairs, const std::string &of, const Json &issued, const Js
     const Eigen::VectorXd f_Hz = numbersAt(issued, "frequency_hz");
     const Eigen::VectorXd fNow_Hz = numbersAt(now, "frequency_hz");
     const Eigen::VectorXd value = numbersAt(issued, keys.value), u = numbersAt(issued, keys.u),
-                          k = numbersAt(issued, keys.k), after = numbersAt(now, keys.value);
-    for (Index i = 0; i < std::min(f_Hz.size(), value.size()); ++i)
-        pairs.push_back({placed(of + '.' + keys.value, static_cast<std::size_t>(i)),
-            numberWithUnit(f_Hz[i], "Hz", kDigitsOfPlace), keys.unit, value[i], valueIn(u, i),
-            valueIn(k, i), valueIn(after, placeOf(fNow_Hz, f_Hz[i]))});
+                          k = numbersAt(issued, keys.k), after = numbersAt(now, keys.value),
+                          uAfter = numbersAt(now, keys.u);
+    for (Index i = 0; i < std::min(f_Hz.size(), value.size()); ++i) {
+        const Index at = placeOf(fNow_Hz, f_Hz[i]);
+        QuantityPair pair = pairOf(placed(of + '.' + keys.value, static_cast<std::size_t>(i)),
+            numberWithUnit(f_Hz[i], "Hz", kDigitsOfPlace), keys);
+        pair.issued = value[i];
+        pair.u = valueIn(u, i);
+        pair.k = valueIn(k, i);
+        pair.now = valueIn(after, at);
+        pair.uNow = valueIn(uAfter, at);
+        pairs.push_back(std::move(pair));
+    }
 }
 
 /// Before the budget was complete, u of a magnitude per pressure did not hold that of the step.
@@ -156,8 +195,8 @@ bool isOfNoiseAlone(const Json &response)
 void addRows(Pairs &pairs, const std::string &of, const Json &issued, const Json &now)
 {
     const std::size_t first = pairs.size();
-    const std::string unit = textAt(issued, "unit");
-    addColumn(pairs, of, issued, now, {"magnitude", "u_magnitude", "k_magnitude", unit.c_str()});
+    const StatedUnits units(issued, now);
+    addColumn(pairs, of, issued, now, units.keys("magnitude", "u_magnitude", "k_magnitude"));
     for (std::size_t i = first; i < pairs.size(); ++i)
         pairs[i].isOfNoiseAlone = isOfNoiseAlone(issued);
     const std::size_t second = pairs.size();

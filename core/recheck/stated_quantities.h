@@ -17,13 +17,15 @@ struct QuantityPair
 {
     std::string of; ///< as `budget[].of` of the earlier results: "sensitivity", "shots[0].step_pa"
     std::string where; ///< for people: "shot 1", "10 kHz"; empty: there is only one
-    std::string unit; ///< of all values; "1" = a number
+    std::string unit; ///< as issued; "1" = a number
     double issued = kUnknown;
     double u = kUnknown; ///< standard uncertainty as issued
     double k = kUnknown; ///< as issued; NaN where the results state none
     double now = kUnknown;
     bool isOfNoiseAlone = false; ///< u, of results from before the budget was complete
     bool isAngle = false; ///< a difference of whole turns is none
+    double uNow = kUnknown; ///< standard uncertainty now
+    std::string unitNow = {}; ///< of the value now; empty: not stated
 };
 
 /// Every quantity that `issued` has a place for a value and an uncertainty of, and characteristics

@@ -72,27 +72,24 @@ class UnitReader
 public:
     bool take(std::string_view word)
     {
-        if (const std::optional<int> ten = powerOfTen(word)) {
-            const bool isFirst = m_prefix == 0;
-            m_prefix = *ten;
-            return isFirst;
-        }
+        if (const std::optional<int> ten = powerOfTen(word))
+            return std::exchange(m_prefix, *ten) == 0;
         if (const std::optional<int> exponent = exponentOf(word))
             return raise(*exponent);
         if (word == "per")
-            return std::exchange(m_sign, -1) == 1;
+            return std::exchange(m_sign, -1) == 1 && m_prefix == 0;
         const auto known = std::ranges::find(kUnits, word, &KnownUnit::word);
         if (known == kUnits.end())
             return false;
         add();
         m_last = *known;
-        m_power = 1;
+        m_power.reset();
         return true;
     }
 
     std::optional<DSiUnit> finish()
     {
-        if (!m_last || m_prefix != 0)
+        if (!m_last || isUnitAwaited())
             return std::nullopt;
         add();
         std::erase_if(m_unit.powers, [](const auto &power) { return power.second == 0; });
@@ -100,17 +97,21 @@ public:
     }
 
 private:
+    /// Behind a prefix or "per": neither ends a unit nor takes an exponent.
+    bool isUnitAwaited() const { return m_prefix != 0 || m_sign != 1; }
+
     bool raise(int exponent)
     {
+        const bool isFirst = !m_power;
         m_power = exponent;
-        return m_last.has_value();
+        return m_last && isFirst && !isUnitAwaited();
     }
 
     /// What is complete goes into the unit.
     void add()
     {
         if (m_last) {
-            const int power = m_signOfLast * m_power;
+            const int power = m_signOfLast * m_power.value_or(1);
             m_unit.factor *= std::pow(m_last->factor * std::pow(10.0, m_prefixOfLast), power);
             if (*m_last->symbol != '\0')
                 m_unit.powers[m_last->symbol] += power;
@@ -121,7 +122,7 @@ private:
 
     DSiUnit m_unit;
     std::optional<KnownUnit> m_last;
-    int m_power = 1;
+    std::optional<int> m_power; ///< of the last unit, where one is stated
     int m_prefix = 0, m_prefixOfLast = 0;
     int m_sign = 1, m_signOfLast = 1;
 };

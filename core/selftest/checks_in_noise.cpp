@@ -31,6 +31,7 @@ ModelInput noisyInput(DataChange &change)
     random.addNormal({noise.data(), static_cast<std::size_t>(noise.size())}, kNoiseSd);
     ModelInput input = inputOf(change(y), ResponseTreatment::StepDeflated);
     ModelSeries &series = input.series.front();
+    noise = change(noise);
     series.noise = noise;
     series.noiseSd = series.fullRateNoiseSd
         = std::sqrt(noise.squaredNorm() / static_cast<double>(noise.size()));

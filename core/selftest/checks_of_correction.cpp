@@ -25,11 +25,12 @@ KnownResponse responseOfSensor(DataChange &change)
     KnownResponse response;
     response.knot_Hz = Eigen::VectorXd::Zero(27);
     for (Index k = 1; k < 27; ++k)
-        response.knot_Hz[k] = std::pow(10.0, 3.0 + 0.1 * static_cast<double>(k - 1));
+        response.knot_Hz[k] = change(std::pow(10.0, 3.0 + 0.1 * static_cast<double>(k - 1)));
     response.atKnots.resize(27);
     for (Index k = 0; k < 27; ++k)
         response.atKnots[k] = change(kSensitivity_V_Pa) * kCorrected.response(response.knot_Hz[k]);
-    const std::complex<double> s = kCorrected.pole_rad_s(), other = std::conj(s);
+    const std::complex<double> pole = kCorrected.pole_rad_s();
+    const std::complex<double> s(change(pole.real()), change(pole.imag())), other = std::conj(s);
     response.shape.s_rad_s = Eigen::Vector2cd(s, other);
     response.shape.c = Eigen::Vector2cd(other / (s - other), s / (other - s));
     response.u_alone = Eigen::VectorXd::Zero(27);
@@ -40,7 +41,7 @@ KnownResponse responseOfSensor(DataChange &change)
 
 std::optional<CorrectionFilter> knownFilter(DataChange &change)
 {
-    auto filter = designCorrection(responseOfSensor(change), kRecordingRate_Hz, {150e3});
+    auto filter = designCorrection(responseOfSensor(change), kRecordingRate_Hz, {change(150e3)});
     return filter ? std::optional(std::move(*filter)) : std::nullopt;
 }
 
@@ -76,12 +77,13 @@ double gainOfFilter(DataChange &change)
 
 double printedValue(DataChange &change)
 {
-    return parseNumber(roundedValue(change(2.330149e6), 1234.0, "Hz").value).value_or(kUnknown);
+    return parseNumber(roundedValue(change(2.330149e6), change(1234.0), "Hz").value)
+        .value_or(kUnknown);
 }
 
 double printedUncertainty(DataChange &change)
 {
-    return parseNumber(roundedValue(2.330149e6, change(1234.0), "Hz").u).value_or(kUnknown);
+    return parseNumber(roundedValue(change(2.330149e6), change(1234.0), "Hz").u).value_or(kUnknown);
 }
 
 } // namespace

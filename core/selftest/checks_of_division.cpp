@@ -17,26 +17,28 @@ namespace {
 class KnownPoint : public ResponseSource
 {
 public:
-    explicit KnownPoint(double magnitude)
-        : m_magnitude(magnitude)
+    explicit KnownPoint(const ResponsePoint &point)
+        : m_point(point)
     {
     }
-    ResponsePoint at(double) const override
-    {
-        return {
-            .magnitude = m_magnitude, .phase_rad = 0.5, .u_magnitude = 0.02, .u_phase_rad = 0.01};
-    }
+    ResponsePoint at(double) const override { return m_point; }
 
 private:
-    double m_magnitude;
+    ResponsePoint m_point;
 };
 
 /// H = 0.5 e^(-0.5 j) at 1 MHz, u 2 % of it.
 ResponsePoint behindChain(DataChange &change)
 {
+    const double last_Hz = change(1e6);
     const auto chain = ReferenceSensitivity::fromTable(
-        {{100.0, 1.0, 0.002, 0.0, 0.004}, {1e6, change(0.5), 0.01, -0.5, 0.004}});
-    return chain ? ChainCorrected(std::make_unique<KnownPoint>(2.0), *chain).at(1e6)
+        {{change(100.0), change(1.0), change(0.002), 0.0, change(0.004)},
+            {last_Hz, change(0.5), change(0.01), change(-0.5), change(0.004)}});
+    const ResponsePoint point{.magnitude = change(2.0),
+        .phase_rad = change(0.5),
+        .u_magnitude = change(0.02),
+        .u_phase_rad = change(0.01)};
+    return chain ? ChainCorrected(std::make_unique<KnownPoint>(point), *chain).at(last_Hz)
                  : ResponsePoint{};
 }
 
@@ -58,16 +60,17 @@ double uncertaintyOfChain(DataChange &change)
 /// Between two rows, at the geometric mean of their frequencies.
 double referenceBetweenRows(DataChange &change)
 {
-    const auto table
-        = ReferenceSensitivity::fromTable({{1e3, change(3.0), 0.01}, {1e5, 4.0, 0.02}});
-    const auto point = table ? table->at(1e4) : std::nullopt;
+    const auto table = ReferenceSensitivity::fromTable(
+        {{change(1e3), change(3.0), change(0.01)}, {change(1e5), change(4.0), change(0.02)}});
+    const auto point = table ? table->at(change(1e4)) : std::nullopt;
     return point ? point->magnitude : kUnknown;
 }
 
 std::optional<ReferencePoint> referenceAtResonance(DataChange &change)
 {
-    const auto model = ReferenceSensitivity::fromModel({change(3.0), 0.03, 1e5, 0.0, 0.25, 0.0});
-    return model ? model->at(1e5) : std::nullopt;
+    const auto model = ReferenceSensitivity::fromModel(
+        {change(3.0), change(0.03), change(1e5), 0.0, change(0.25), 0.0});
+    return model ? model->at(change(1e5)) : std::nullopt;
 }
 
 double referenceMagnitude(DataChange &change)

@@ -28,8 +28,8 @@ double importedValue(DataChange &change)
     ImportSettings settings;
     settings.channels["DUT"] = "dut";
     ChannelImport &detail = settings.channelDetails["DUT"];
-    detail.scale = 2.0;
-    detail.gain = 4.0;
+    detail.scale = change(2.0);
+    detail.gain = change(4.0);
     detail.polarity = -1;
     const auto set = applyImportSettings(knownSet({channel}), settings);
     if (!set)
@@ -39,7 +39,7 @@ double importedValue(DataChange &change)
 }
 
 /// Shots cut at the rail of the converter, of two.
-double saturatedShots(DataChange &)
+double saturatedShots(DataChange &change)
 {
     CaptureSet set = knownSet({});
     set.shots.push_back(set.shots.front());
@@ -49,6 +49,7 @@ double saturatedShots(DataChange &)
             counts[k] = static_cast<std::int16_t>(i == 0 ? 8191 : 4000 + k % 7);
         Channel channel = knownChannel("DUT", ChannelRole::Dut, {}, 1e6);
         channel.samples = RawSamples(std::move(counts));
+        channel.polynomial = {0.0, change(1.0)}; // its counts are whole numbers
         channel.adcMin = -8192.0;
         channel.adcMax = 8191.0;
         set.shots[i].channels.push_back(std::move(channel));
@@ -71,15 +72,18 @@ double crossingOfRamp(DataChange &change)
     for (Index k = 100; k < values.size(); ++k)
         values[k] = change(static_cast<double>(k - 100));
     const Channel channel = knownChannel("side", ChannelRole::DrivenSide, values, 1.0);
-    return crossingTime_s(channel, 37.25, 0).value_or(kUnknown);
+    return crossingTime_s(channel, change(37.25), 0).value_or(kUnknown);
 }
 
 /// Of the samples of a capture that was written, read back and sealed: how many differ.
-double samplesLost(DataChange &)
+double samplesLost(DataChange &change)
 {
     CaptureSet set = shockRecords();
-    for (Channel &channel : set.shots.front().channels)
+    for (Channel &channel : set.shots.front().channels) {
+        const Eigen::VectorXd values = change(physicalValues(channel, 0, channel.samples.size()));
+        channel.samples = RawSamples(std::vector<double>(values.begin(), values.end()));
         channel.sensorId = channel.name;
+    }
     const PassingFolder folder;
     const std::string path = folder.file("selftest.h5");
     if (!writeHdf5Capture(set, {path}, "2000-01-01T00:00:00Z", "self-test"))
@@ -101,7 +105,7 @@ double samplesLost(DataChange &)
     return static_cast<double>(lost);
 }
 
-/// A table with decimal commas: its last value.
+/// A table with decimal commas: its last value. It is text, so that there is no number to change.
 double valueInTable(DataChange &)
 {
     const PassingFolder folder;
@@ -118,7 +122,7 @@ double valueInTable(DataChange &)
     return channel.samples.size() == 100 ? physicalValues(channel, 99, 1)[0] : kUnknown;
 }
 
-/// Of the 64 digits of SHA-256 of "abc" those that are wrong.
+/// Likewise of a text. Of the 64 digits of SHA-256 of "abc" those that are wrong.
 double wrongDigitsOfHash(DataChange &)
 {
     const std::string known = "ba7816bf8f01cfea414140de5dae2223b00361a396177a9cb410ff61f20015ad";

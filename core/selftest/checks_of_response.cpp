@@ -136,7 +136,7 @@ double bandTo3dB(DataChange &change)
 /// A front of 1 us at 250 kHz.
 double gainOfFront(DataChange &change)
 {
-    return frontFactor(1e-6, {0.0, kTwoPi * change(250e3)}).real();
+    return frontFactor(change(1e-6), {0.0, kTwoPi * change(250e3)}).real();
 }
 
 std::vector<CheckSpec> checksOfTransform()

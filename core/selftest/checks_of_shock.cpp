@@ -29,14 +29,14 @@ double soundSpeedAtRest_m_s()
 
 std::optional<ShockStates> shockAtMach2(DataChange &change)
 {
-    const auto states
-        = shockStates(kDiatomic, kShockP1_Pa, kShockT1_K, change(2.0 * soundSpeedAtRest_m_s()));
+    const auto states = shockStates(
+        kDiatomic, change(kShockP1_Pa), change(kShockT1_K), change(2.0 * soundSpeedAtRest_m_s()));
     return states ? std::optional(*states) : std::nullopt;
 }
 
 std::optional<ShockStates> thesisShock(DataChange &change)
 {
-    const auto states = shockStates(kThesisAir, 101100.0, 294.15, change(512.82));
+    const auto states = shockStates(kThesisAir, change(101100.0), change(294.15), change(512.82));
     return states ? std::optional(*states) : std::nullopt;
 }
 
@@ -69,7 +69,7 @@ double driverPressureRatio(DataChange &change)
     const auto states = shockAtMach2(change);
     if (!states)
         return kUnknown;
-    const auto p4_Pa = driverPressure_Pa(*states, kDiatomic, kDiatomic, kShockT1_K);
+    const auto p4_Pa = driverPressure_Pa(*states, kDiatomic, kDiatomic, change(kShockT1_K));
     return p4_Pa ? *p4_Pa / kShockP1_Pa : kUnknown;
 }
 
@@ -84,8 +84,8 @@ double ratioByConservation(DataChange &change)
     GasModel gas;
     gas.constants = kDiatomic;
     gas.heatCapacity = HeatCapacity{};
-    const auto states
-        = shockStatesOf(gas, kShockP1_Pa, kShockT1_K, change(2.0 * soundSpeedAtRest_m_s()));
+    const auto states = shockStatesOf(
+        gas, change(kShockP1_Pa), change(kShockT1_K), change(2.0 * soundSpeedAtRest_m_s()));
     return states ? states->reflected.pressure_Pa / kShockP1_Pa : kUnknown;
 }
 
@@ -104,14 +104,15 @@ double thesisReflectedTemperature_K(DataChange &change)
 double thesisDriverPressure_Pa(DataChange &change)
 {
     const auto states = thesisShock(change);
-    return states ? driverPressure_Pa(*states, kThesisAir, kThesisAir, 295.35).value_or(kUnknown)
-                  : kUnknown;
+    return states
+        ? driverPressure_Pa(*states, kThesisAir, kThesisAir, change(295.35)).value_or(kUnknown)
+        : kUnknown;
 }
 
 double thesisPlateau_s(DataChange &change)
 {
     const auto states = thesisShock(change);
-    return states ? plateauTime_s(*states, 0.97) : kUnknown;
+    return states ? plateauTime_s(*states, change(0.97)) : kUnknown;
 }
 
 /// The driver's rarefaction at the end wall, its driver 0.2 m long.
@@ -120,14 +121,15 @@ double thesisRarefaction_s(DataChange &change)
     const auto states = thesisShock(change);
     if (!states)
         return kUnknown;
-    TubeGeometry geometry{0.97, 0.2, gasAtRest(kThesisAir, 684846.955, 295.35), kThesisAir};
+    TubeGeometry geometry{change(0.97), change(0.2),
+        gasAtRest(kThesisAir, change(684846.955), change(295.35)), kThesisAir};
     const TubeWaves waves = tubeWaves(*states, geometry);
     return waves.plateauEnd == PlateauEnd::DriverRarefaction ? waves.plateau_s : kUnknown;
 }
 
 double soundSpeedOfMoistAir_m_s(DataChange &change)
 {
-    const auto air = moistAir(101100.0, change(294.15), 0.5, 4e-4);
+    const auto air = moistAir(change(101100.0), change(294.15), change(0.5), change(4e-4));
     return air ? air->soundSpeed_m_s : kUnknown;
 }
 
@@ -137,20 +139,20 @@ double fittedVelocity_m_s(DataChange &change)
     std::vector<Sighting> sightings;
     for (const double distance_m : {0.8, 0.4, 0.1})
         sightings.push_back({.channel = "side",
-            .distance_m = distance_m,
-            .u_distance_m = 2e-4,
+            .distance_m = change(distance_m),
+            .u_distance_m = change(2e-4),
             .time_s = change((1.0 - distance_m) / 500.0),
-            .u_time_s = 1e-7});
+            .u_time_s = change(1e-7)});
     const auto fit = fitVelocity(sightings, Attenuation::None);
     return fit ? fit->velocity_m_s : kUnknown;
 }
 
 /// The recipe of a shock at M = 2 into that gas.
-Recipe recipeAtRest()
+Recipe recipeAtRest(DataChange &change)
 {
     Recipe recipe;
-    recipe.shock.p1_Pa = kShockP1_Pa;
-    recipe.shock.T1_K = kShockT1_K;
+    recipe.shock.p1_Pa = change(kShockP1_Pa);
+    recipe.shock.T1_K = change(kShockT1_K);
     recipe.shock.drivenGas = {1.4, 0.028966, "custom", kConstantHeatCapacity};
     recipe.shock.attenuation = "none";
     recipe.shock.useDutArrival = false;
@@ -170,7 +172,7 @@ ShockConditions expectedConditions(const CaptureSet &set, const Recipe &recipe)
 
 double expectedStepRatio(DataChange &change)
 {
-    Recipe recipe = recipeAtRest();
+    Recipe recipe = recipeAtRest(change);
     recipe.shock.velocity_m_s = PerShot(change(2.0 * soundSpeedAtRest_m_s()));
     return expectedConditions(shockRecords(), recipe).step_Pa.value_or(kUnknown) / kShockP1_Pa;
 }
@@ -178,9 +180,9 @@ double expectedStepRatio(DataChange &change)
 /// From the records of two sensors 0.4 m apart, 1 ms after each other.
 double expectedVelocity_m_s(DataChange &change)
 {
-    Recipe recipe = recipeAtRest();
+    Recipe recipe = recipeAtRest(change);
     for (const auto &[channel, distance_m] : {std::pair("far", 0.8), std::pair("near", 0.4)}) {
-        ArrivalSensor sensor{channel, change(distance_m), 2e-4};
+        ArrivalSensor sensor{channel, change(distance_m), change(2e-4)};
         sensor.delay_s = 0.0;
         recipe.shock.arrivalSensors.push_back(sensor);
     }

@@ -21,8 +21,9 @@ ReportedValue threeAndFour(DataChange &change, double least = 0.0)
     ReportedValue value;
     value.of = "sensitivity";
     value.value = 1.0;
-    value.lines = {directLine("first", change(3.0), 4.0), directLine("second", change(4.0))};
-    value.leastExpanded = least;
+    value.lines
+        = {directLine("first", change(3.0), change(4.0)), directLine("second", change(4.0))};
+    value.leastExpanded = change(least);
     combineLines(value);
     return value;
 }
@@ -46,7 +47,7 @@ double factorOfReport(DataChange &change)
 {
     ReportedValue value;
     value.value = 1.0;
-    value.lines = {directLine("only", change(2.0), 10.0)};
+    value.lines = {directLine("only", change(2.0), change(10.0))};
     combineLines(value);
     return value.expanded().value_or(kUnknown);
 }
@@ -60,11 +61,12 @@ double expandedAtLeast(DataChange &change)
 /// with 5.
 CombinedUncertainty correlatedSum(DataChange &change)
 {
-    UncertaintyLine first = directLine("first", change(3.0), 6.0),
-                    second = directLine("second", 4.0);
-    first.correlated = {{"second", 0.5}};
-    second.correlated = {{"first", 0.5}};
-    return combined({first, second, directLine("third", 2.0, 5.0)});
+    UncertaintyLine first = directLine("first", change(3.0), change(6.0)),
+                    second = directLine("second", change(4.0));
+    const double r = change(0.5);
+    first.correlated = {{"second", r}};
+    second.correlated = {{"first", r}};
+    return combined({first, second, directLine("third", change(2.0), change(5.0))});
 }
 
 double correlatedUncertainty(DataChange &change)
@@ -81,7 +83,8 @@ double correlatedDegrees(DataChange &change)
 /// a b at a = 3, b = 4 with u 0.03 and 0.08.
 double productsUncertainty(DataChange &change)
 {
-    const std::vector<UncertainInput> inputs{{"a", change(3.0), 0.03}, {"b", change(4.0), 0.08}};
+    const std::vector<UncertainInput> inputs{
+        {"a", change(3.0), change(0.03)}, {"b", change(4.0), change(0.08)}};
     const auto gum = propagateGum(inputs, [](const Eigen::VectorXd &x) -> Result<Eigen::VectorXd> {
         return Eigen::VectorXd::Constant(1, x[0] * x[1]);
     });
@@ -92,14 +95,14 @@ double productsUncertainty(DataChange &change)
 std::optional<double> stepUncertainty_Pa(DataChange &change)
 {
     StepMeasurement m;
-    m.state = {101100.0, 294.15, 0.0, 0.0};
+    m.state = {change(101100.0), change(294.15), 0.0, 0.0};
     m.velocity.velocity_m_s = change(512.8);
     UncertaintyRequest request;
     request.evaluate = true;
     for (const auto &[quantity, u] :
         {std::pair("velocity_m_s", 0.5128), std::pair("t1_k", 0.3), std::pair("p1_pa", 30.0),
             std::pair("gamma", 5e-4), std::pair("molar_mass_kg_mol", 1e-5)})
-        request.stated.push_back({quantity, u, Distribution::Normal, std::nullopt});
+        request.stated.push_back({quantity, change(u), Distribution::Normal, std::nullopt});
     const auto budget = evaluateStep(m, request);
     return budget ? budget->u(StepResult::Step) : std::nullopt;
 }
@@ -114,15 +117,15 @@ double stepUncertainty_relative(DataChange &change)
 double velocityUncertainty_relative(DataChange &change)
 {
     StepMeasurement m;
-    m.state = {101100.0, 294.15, 0.0, 0.0};
+    m.state = {change(101100.0), change(294.15), 0.0, 0.0};
     Sighting side, wall;
     side.channel = "side";
     side.distance_m = change(0.8);
-    side.u_distance_m = 8e-4;
-    side.u_time_s = 1e-6;
+    side.u_distance_m = change(8e-4);
+    side.u_time_s = change(1e-6);
     wall.channel = "DUT";
-    wall.time_s = 1.6e-3;
-    wall.u_time_s = 1e-12;
+    wall.time_s = change(1.6e-3);
+    wall.u_time_s = change(1e-12);
     wall.isDut = true;
     m.velocity.sightings = {side, wall};
     const auto fit = fitVelocity(m.velocity.sightings, Attenuation::None);
@@ -153,7 +156,8 @@ UncertainComplex spectrumOfEight(DataChange &change)
     y << 0.0, 1.0, 2.0, 1.0, 0.5, 0.25, 0.1, 0.05;
     for (Index k = 0; k < 8; ++k)
         variance[k] = std::pow(0.01 * static_cast<double>(k + 1), 2.0);
-    return dftWithCovariance(change(y), variance, 8.0, Eigen::VectorXd::Constant(1, 1.0)).front();
+    return dftWithCovariance(change(y), change(variance), 8.0, Eigen::VectorXd::Constant(1, 1.0))
+        .front();
 }
 
 double realPartOfSpectrum(DataChange &change)

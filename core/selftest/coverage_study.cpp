@@ -51,6 +51,12 @@ SelfCheck insideCheck(const StudiedQuantity &studied, const std::vector<VirtualE
     return check;
 }
 
+/// Of the root mean square of `count` errors over their u.
+double sizeTolerance(double count)
+{
+    return kSigmasOfRisk / std::sqrt(2.0 * count);
+}
+
 /// Root mean square: 1 where u says what it should, with the scatter 1/sqrt(2 n).
 SelfCheck sizeCheck(const StudiedQuantity &studied, const std::vector<VirtualErrors> &runs)
 {
@@ -61,7 +67,7 @@ SelfCheck sizeCheck(const StudiedQuantity &studied, const std::vector<VirtualErr
         sum += errors[q].overU * errors[q].overU;
     return {kCoverageStep, studied.size,
         {DYNCAL_TEXT("core", "1 where u is right; bounds of so many draws at 0.1 %"), {}}, 1.0,
-        std::sqrt(sum / count), kSigmasOfRisk / std::sqrt(2.0 * count), kUnknown};
+        std::sqrt(sum / count), sizeTolerance(count), kUnknown};
 }
 
 /// Two at a time, so that progress and stop keep to one thread.
@@ -93,6 +99,15 @@ Index fewestInside(Index count, double coverage, double risk)
         const auto now = static_cast<double>(k);
         term *= (n - now) / (now + 1.0) * coverage / (1.0 - coverage);
     }
+    return count;
+}
+
+Index leastCalibrations()
+{
+    Index count = 1;
+    while (fewestInside(count, kStatedCoverage, kRisk) == 0
+        || sizeTolerance(static_cast<double>(count)) >= 1.0)
+        ++count;
     return count;
 }
 

@@ -50,6 +50,22 @@ Result<std::vector<SelfCheck>> checksCarriedOut(const JobControl &control)
     return checks;
 }
 
+Result<void> checkSettings(const SelfTestSettings &settings)
+{
+    if (settings.calibrations < 0 || settings.calibrations > kMostCalibrations)
+        return fail(ErrorKind::Usage,
+            {DYNCAL_TEXT(
+                 "core", "The coverage study is to have %1 calibrations; it takes 0 to %2."),
+                {std::to_string(settings.calibrations), std::to_string(kMostCalibrations)}});
+    if (settings.calibrations == 0 || settings.calibrations >= leastCalibrations())
+        return {};
+    return fail(ErrorKind::Usage,
+        {DYNCAL_TEXT("core",
+             "The coverage study is to have %1 calibrations, but with less than %2 it cannot fail: even errors of 0 would be no sign of a wrong u; take 0 (no study) or %2 to %3."),
+            {std::to_string(settings.calibrations), std::to_string(leastCalibrations()),
+                std::to_string(kMostCalibrations)}});
+}
+
 } // namespace
 
 Index SelfTestReport::deviations() const
@@ -93,11 +109,8 @@ std::vector<CheckSpec> allChecks()
 
 Result<SelfTestReport> runSelfTest(const SelfTestSettings &settings, const JobControl &control)
 {
-    if (settings.calibrations < 0 || settings.calibrations > kMostCalibrations)
-        return fail(ErrorKind::Usage,
-            {DYNCAL_TEXT(
-                 "core", "The coverage study is to have %1 calibrations; it takes 0 to %2."),
-                {std::to_string(settings.calibrations), std::to_string(kMostCalibrations)}});
+    if (const Result<void> checked = checkSettings(settings); !checked)
+        return tl::unexpected<Error>(checked.error());
     const double share = settings.calibrations > 0 ? kShareOfChecks : 1.0;
     auto checks = checksCarriedOut(control.between(0.0, share));
     if (!checks)

@@ -16,7 +16,8 @@ namespace dyncal {
 
 struct SelfTestSettings
 {
-    Index calibrations = 40; ///< of the coverage study, 0 = none; at most 10000
+    /// Of the coverage study, 0 = none; else leastCalibrations() to 10000.
+    Index calibrations = 40;
     std::vector<UsedLibrary> libraries; ///< that core does not know of
 };
 

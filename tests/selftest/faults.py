@@ -111,7 +111,7 @@ FAULTS = [
           "spectralSums(variance, 1.0 * turns);\n    const double power", "uncertainty"),
     Fault("difference with the other sign", "uncertainty/transducer_comparison",
           "(s.magnitude[b] - t.magnitude[a]) / S", "(t.magnitude[a] - s.magnitude[b]) / S", "comparison"),
-    Fault("rectangular draws too narrow", "base/propagation", "return std::sqrt(3.0) * (2.0 * p - 1.0);",
+    Fault("rectangular draws too narrow", "base/input_draws", "return std::sqrt(3.0) * (2.0 * p - 1.0);",
           "return std::sqrt(2.0) * (2.0 * p - 1.0);", "monte_carlo"),
     Fault("a sample of delay in the correction", "correction/correction_filter",
           "filter.delaySamples = extent.before;", "filter.delaySamples = extent.before + 1;", "correction"),

@@ -76,8 +76,9 @@ private slots:
         QVERIFY(U < 0.03 * 2e5);
         QVERIFY(std::abs(shot["at_s"].toDouble() - 400e-6) < 0.1e-6);
         QVERIFY(std::abs(shot["level"].toDouble() - 0.25) < 1e-4);
-        for (const char *file : {"pressure_shot_001.csv", "filter.json", "filter.csv",
-                 "filter_errors.csv", "filter.mat", "filter.py", "written.json"})
+        for (const char *file :
+            {"pressure_shot_001.csv", "filter.json", "filter.csv", "filter_errors.csv",
+                "filter.mat", "filter.py", "calibration.json", "written.json"})
             QVERIFY2(QFile::exists(path("pressure/") + file), file);
     }
 
@@ -87,7 +88,7 @@ private slots:
         QVERIFY(correct({"--band", "1e6"}, "once").exitCode <= 1);
         QVERIFY(correct({"--band", "1e6"}, "twice").exitCode <= 1);
         const QStringList files = QDir(path("once")).entryList(QDir::Files);
-        QCOMPARE(files.size(), 8);
+        QCOMPARE(files.size(), 9);
         for (const QString &file : files) {
             QFile a(path("once/" + file)), b(path("twice/" + file));
             QVERIFY(a.open(QIODevice::ReadOnly) && b.open(QIODevice::ReadOnly));
@@ -102,6 +103,41 @@ private slots:
         QVERIFY(QFile::exists(path("run/results.json")) && QFile::exists(path("run/filter.mat")));
         QVERIFY(runDyncal({"run", path("calibration.h5"), "-o", path("run")}).exitCode <= 1);
         QVERIFY(QFile::exists(path("run/filter.mat")));
+    }
+
+    /// The import section holds for a correction as for a calibration.
+    void importSettings_count()
+    {
+        const auto largest = [this](const QByteArray &import) {
+            QFile::remove(path("other.json"));
+            if (!writeBytes(path("other.json"),
+                    R"({"import": {"columns": {"time": 0, "dut": 1}, "unit": "V", )" + import
+                        + "}}"))
+                return 0.0;
+            const Answer answer = runDyncal({"correct", path("pulse.csv"), "--recipe",
+                path("other.json"), "--with", path("run"), "--band", "1e6", "-o", path("other")});
+            return answer.exitCode > 1
+                ? 0.0
+                : fileJson(path("other/correction.json"))["shots"][0]["largest_pa"].toDouble();
+        };
+        QVERIFY(std::abs(largest(R"("polarity": 1)") / 2e5 - 1.0) < 0.03);
+        QVERIFY(std::abs(largest(R"("polarity": -1)") / -2e5 - 1.0) < 0.03);
+        QVERIFY(std::abs(largest(R"("scale": 0.5)") / 1e5 - 1.0) < 0.03);
+    }
+
+    /// What is kept beside the pressures makes the same again.
+    void keptCalibration_repeatsTheCorrection()
+    {
+        QVERIFY(correct({"--band", "1e6"}, "first").exitCode <= 1);
+        const Answer answer
+            = runDyncal({"correct", path("pulse.csv"), "--recipe", path("pulse.json"), "--with",
+                path("first/calibration.json"), "--band", "1e6", "-o", path("second")});
+        QVERIFY2(answer.exitCode <= 1, answer.err);
+        for (const char *file : {"pressure_shot_001.csv", "filter.json", "calibration.json"}) {
+            QFile a(path("first/") + file), b(path("second/") + file);
+            QVERIFY(a.open(QIODevice::ReadOnly) && b.open(QIODevice::ReadOnly));
+            QVERIFY2(a.readAll() == b.readAll(), file);
+        }
     }
 
     void wrongRequests_areRefusedWithTheReason_data()

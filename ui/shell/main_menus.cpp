@@ -8,6 +8,7 @@
 #include "ui/shell/preferences/theme_style.h"
 #include "ui/shell/shortcut_sheet.h"
 #include "ui/shell/stage_list.h"
+#include "ui/shell/tool_windows.h"
 #include "ui/text/shown_text.h"
 
 #include <QAction>
@@ -111,6 +112,9 @@ void MainMenus::addFileMenu()
     addAction(menu, "saveAllPlotsAction", tr("Save all p&lots..."), QKeySequence("Ctrl+Shift+P"),
         m_parts.savePlots);
     menu->addSeparator();
+    addAction(menu, "correctAction", tr("Correct a recordi&ng..."), {},
+        [this] { m_parts.tools.correctRecording(); });
+    menu->addSeparator();
     addAction(
         menu, "quitAction", tr("&Quit"), QKeySequence::Quit, [this] { m_parts.window.close(); });
 }
@@ -197,7 +201,8 @@ void MainMenus::addHelpMenu()
     QAction *keys = addAction(menu, "shortcutsAction", tr("&Keyboard and mouse"), {},
         [this] { showShortcuts(m_parts.window); });
     keys->setShortcuts({QKeySequence::HelpContents, QKeySequence("?")});
-    addAction(menu, "selfTestAction", tr("&Self-test..."), {}, m_parts.testInstallation);
+    addAction(menu, "selfTestAction", tr("&Self-test..."), {},
+        [this] { m_parts.tools.testInstallation(); });
     addAction(menu, "aboutAction", tr("&About Dyncal"), {}, [this] { showAbout(&m_parts.window); });
 }
 

@@ -21,6 +21,8 @@ class QToolBar;
 
 namespace dyncal {
 
+class ToolWindows;
+
 /// The menu bar and the tool bar of the main window.
 class MainMenus : public QObject
 {
@@ -40,7 +42,7 @@ public:
         std::function<void()> savePlots; ///< of all pages
         std::function<void(int row)> showPage;
         std::function<void(int by)> turnPage; ///< to the next stage or the one before
-        std::function<void()> testInstallation;
+        ToolWindows &tools;
     };
 
     explicit MainMenus(Parts parts, QObject *parent);

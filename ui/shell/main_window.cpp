@@ -11,16 +11,16 @@
 #include "ui/shell/findings/finding_places.h"
 #include "ui/shell/findings/findings_panel.h"
 #include "ui/shell/findings/problem_panel.h"
-#include "ui/shell/inspector_scroll.h"
 #include "ui/shell/main_menus.h"
 #include "ui/shell/next_bar.h"
 #include "ui/shell/recovery/work_recovery.h"
-#include "ui/shell/selftest_dialog.h"
 #include "ui/shell/shot_chips.h"
 #include "ui/shell/stage_list.h"
 #include "ui/shell/stage_pages.h"
 #include "ui/shell/start_page.h"
+#include "ui/shell/tool_windows.h"
 #include "ui/shell/work_status.h"
+#include "ui/stages/frame/inspector_scroll.h"
 #include "ui/stages/frame/stage_page.h"
 #include "ui/text/shown_text.h"
 
@@ -70,6 +70,7 @@ MainWindow::MainWindow(Session::Pipeline pipeline, CurrentUtc currentUtc, Prefer
     , m_inspectors(new QStackedWidget(this))
     , m_work(new WorkStatus(*statusBar(), m_session, *m_files, this))
     , m_sources(new SourceNotice(m_session, m_files->captures(), m_prompts, *m_sourceBanner, this))
+    , m_tools(new ToolWindows({m_session, m_currentUtc, prompts, preferences, language}, this))
     , m_nextLine(new QToolBar(this))
 {
     initialiseResources();
@@ -83,8 +84,7 @@ MainWindow::MainWindow(Session::Pipeline pipeline, CurrentUtc currentUtc, Prefer
                             {{m_stagesDock, "F5"}, {m_inspectorDock, "F4"}, {m_findingsDock, "F6"}},
                             [this] { resetLayout(); }, [this] { m_files->exportPlots(m_pages); },
                             [this](int row) { showPage(row); },
-                            [this](int by) { showPage(m_stageList->currentRow() + by); },
-                            [this] { testInstallation(); }},
+                            [this](int by) { showPage(m_stageList->currentRow() + by); }, *m_tools},
             this);
     connectSession();
     buildContents();
@@ -104,6 +104,7 @@ MainWindow::MainWindow(Session::Pipeline pipeline, CurrentUtc currentUtc, Prefer
 MainWindow::~MainWindow()
 {
     delete m_recovery;
+    delete m_tools;
     // Pages listen to the session, which would be destroyed before them.
     m_session.disconnect();
     m_session.undoStack().disconnect();
@@ -431,15 +432,6 @@ void MainWindow::dropEvent(QDropEvent *event)
 {
     event->acceptProposedAction();
     m_files->openDropped(event->mimeData()->urls());
-}
-
-void MainWindow::testInstallation()
-{
-    auto *dialog
-        = new SelfTestDialog(m_currentUtc, m_prompts, m_preferences, m_language.code(), this);
-    dialog->setAttribute(Qt::WA_DeleteOnClose);
-    dialog->open();
-    dialog->start();
 }
 
 } // namespace dyncal

@@ -30,6 +30,7 @@ class SourceNotice;
 class StageList;
 class StagePage;
 class StartPage;
+class ToolWindows;
 class WorkRecovery;
 class WorkStatus;
 
@@ -83,7 +84,6 @@ private:
     void showCaptures();
     void sizeDocks();
     void showInspector();
-    void testInstallation();
 
     PlainTextRule m_plainText; ///< first: before any label is made
     ControlTips m_tips; ///< so for any control
@@ -112,6 +112,7 @@ private:
     WorkStatus *m_work;
     WorkRecovery *m_recovery = nullptr;
     SourceNotice *m_sources;
+    ToolWindows *m_tools;
     MainMenus *m_menus = nullptr;
     NextBar *m_next = nullptr;
     QToolBar *m_nextLine; ///< holds it, above the status bar

@@ -14,13 +14,20 @@ namespace {
 /// Less than this share of the largest value is rounding of the arithmetic.
 constexpr double kArithmetic = 1e-11;
 
-/// Noise of the average: the shots' noise averaged point by point, as the reconstructions are.
+/// Without a quiet stretch the noise of a shot is not known, which is not the same as none.
+bool hasNoise(const WindowedResponse &response)
+{
+    return response.noise.size() >= 2;
+}
+
+/// Noise of the average: the shots' noise averaged point by point, as the reconstructions are; of
+/// the shots whose noise is known.
 Eigen::VectorXd averageNoise(const std::vector<WindowedResponse> &responses, double rate_Hz)
 {
     Eigen::VectorXd sum;
     Index count = 0;
     for (const WindowedResponse &response : responses) {
-        if (std::abs(response.sampleRate_Hz - rate_Hz) > 1e-9 * rate_Hz)
+        if (!hasNoise(response) || std::abs(response.sampleRate_Hz - rate_Hz) > 1e-9 * rate_Hz)
             continue;
         const Index size
             = sum.size() ? std::min(sum.size(), response.noise.size()) : response.noise.size();
@@ -42,7 +49,7 @@ struct Rounding
 /// Unknown (0), like the noise, without a quiet stretch.
 Rounding roundingOf(const WindowedResponse &response)
 {
-    if (response.noise.size() < 2)
+    if (!hasNoise(response))
         return {};
     const double resolution = std::abs(response.resolution / response.valueScale);
     const double arithmetic = kArithmetic * response.window().cwiseAbs().maxCoeff();
@@ -50,7 +57,7 @@ Rounding roundingOf(const WindowedResponse &response)
         std::max(response.roundingSd, arithmetic)};
 }
 
-/// Rounding of the average: the shots are rounded independently.
+/// Rounding of the average: the shots are rounded independently. Of the same shots as its noise.
 Rounding averageRounding(const std::vector<WindowedResponse> &responses)
 {
     Rounding squares;
@@ -59,7 +66,8 @@ Rounding averageRounding(const std::vector<WindowedResponse> &responses)
         squares.sd += one.sd * one.sd;
         squares.lastingSd += one.lastingSd * one.lastingSd;
     }
-    const double count = static_cast<double>(responses.size());
+    const auto known = static_cast<double>(std::ranges::count_if(responses, hasNoise));
+    const double count = std::max(known, 1.0);
     return {std::sqrt(squares.sd) / count, std::sqrt(squares.lastingSd) / count};
 }
 

@@ -57,13 +57,14 @@ CaptureSet recordings(const QString &file)
 CorrectionOutcome outcomeOf(const CaptureSet &set)
 {
     CorrectionOutcome outcome;
-    outcome.calibration.response = calibratedSensor();
-    outcome.calibration.fLow_Hz = 700.0;
-    outcome.calibration.cautions = {"RSP-001"};
-    outcome.calibrationFile = "results.json";
-    outcome.calibrationSha256 = "abcd";
+    outcome.calibration.says.response = calibratedSensor();
+    outcome.calibration.says.fLow_Hz = 700.0;
+    outcome.calibration.says.cautions = {"RSP-001"};
+    outcome.calibration.file = "results.json";
+    outcome.calibration.sha256 = "abcd";
+    outcome.calibration.text = "{}";
     outcome.recordings = set.inputs;
-    outcome.filter = designCorrection(outcome.calibration.response, kRate_Hz, {150e3}).value();
+    outcome.filter = designCorrection(outcome.calibration.says.response, kRate_Hz, {150e3}).value();
     for (Index shot = 1; shot <= 2; ++shot)
         outcome.shots.push_back({shot, "blast",
             recordPressure(set.shots[0].channels[0], shot, outcome.filter).value()});
@@ -135,11 +136,11 @@ private slots:
         const CaptureSet set = recordings(m_folder.filePath("blast.csv"));
         const auto paths = write(outcomeOf(set), set);
         QVERIFY2(paths.has_value(), paths ? "" : english(paths.error().message).c_str());
-        QCOMPARE(paths->size(), std::size_t(8));
+        QCOMPARE(paths->size(), std::size_t(9));
         for (const std::string &written : *paths)
             QVERIFY(std::filesystem::exists(written));
         const auto list = parseWrittenList(contentOf(path("written.json")).toStdString());
-        QVERIFY(list && list->size() == 8);
+        QVERIFY(list && list->size() == 9);
         QCOMPARE(list->front().by, std::string("correct"));
     }
 
@@ -160,6 +161,12 @@ private slots:
         QVERIFY(std::abs(double(shot["largest_pa"]) / 1e5 - 1.0) < 1e-3);
         QVERIFY(std::abs(double(shot["at_s"]) - 700e-6) < 1e-6);
         QVERIFY(std::abs(double(shot["u_largest_pa"]) / 500.0 - 1.0) < 0.1); // the gain's
+    }
+
+    /// With it and the recordings the correction can be repeated.
+    void calibration_isKeptAsItWas()
+    {
+        QCOMPARE(contentOf(path("calibration.json")), QByteArray("{}"));
     }
 
     void filterJson_saysWhatTheTapsAre()

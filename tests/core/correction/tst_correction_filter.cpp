@@ -210,6 +210,25 @@ private slots:
     }
 
     /// Independent way: least squares of all taps against L/S over the whole circle.
+    /// |L/S| over that at 0 Hz, from the closed form on a fine grid: 1 below a resonance, more
+    /// where a damped sensor falls off.
+    void noiseAmplification_isTheLargestGain()
+    {
+        for (const double zeta : {0.05, 0.9}) {
+            TrueSensor sensor;
+            sensor.zeta = zeta;
+            const auto filter = designCorrection(sensor.known(), kRate_Hz, {250e3});
+            QVERIFY(filter.has_value());
+            double largest = 0.0;
+            for (double f_Hz = 0.0; f_Hz < 450e3; f_Hz += 100.0)
+                largest = std::max(
+                    largest, std::abs(filter->lowPass.at(f_Hz) / sensor.at(f_Hz)) * sensor.S0);
+            QVERIFY2(std::abs(filter->noiseAmplification() / largest - 1.0) < 1e-3,
+                qPrintable(QString::number(filter->noiseAmplification())));
+            QVERIFY(zeta > 0.5 ? largest > 1.5 : largest < 1.001);
+        }
+    }
+
     void taps_areTheLeastSquaresOfTheInverse()
     {
         const TrueSensor sensor{200e3, 0.3, 1.0};

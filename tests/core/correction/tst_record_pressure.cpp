@@ -82,6 +82,15 @@ class TestRecordPressure : public QObject
     Q_OBJECT
 
 private slots:
+    void askedToStop_itStops()
+    {
+        std::stop_source stop;
+        stop.request_stop();
+        const auto found
+            = recordPressure(channelWithPulse(), 1, filter(), {}, {stop.get_token(), {}});
+        QVERIFY(!found && found.error().kind == ErrorKind::Cancelled);
+    }
+
     /// The offset is taken off, the quiet stretch is found, the pulse has its size and its place.
     void pulse_comesBackAtItsTime()
     {

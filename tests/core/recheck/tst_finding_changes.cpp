@@ -61,6 +61,22 @@ private slots:
         QVERIFY(changes.appeared.empty() && changes.gone.empty());
     }
 
+    /// Where no Monte Carlo was computed its findings are neither gone nor new.
+    void findingsOfAMonteCarlo_areComparedWhereItWasComputed()
+    {
+        for (const char *id : {"SHK-012", "UNC-003"}) {
+            const FoundJson with = resultsWith({finding(id, "caution", 1)});
+            const FoundJson none = resultsWith({});
+            QCOMPARE(findingChanges(with, none).gone.size(), std::size_t(1));
+            QCOMPARE(findingChanges(none, with).appeared.size(), std::size_t(1));
+            QVERIFY(findingChanges(with, none, RecheckDepth::ToEvidence).gone.empty());
+            QVERIFY(findingChanges(none, with, RecheckDepth::ToEvidence).appeared.empty());
+        }
+        const FoundJson other = resultsWith({finding("UNC-001", "caution")});
+        QCOMPARE(findingChanges(other, resultsWith({}), RecheckDepth::ToEvidence).gone.size(),
+            std::size_t(1));
+    }
+
     void whatAppearsAndGoes_isListedInItsOrder()
     {
         const FindingChanges changes = findingChanges(

@@ -111,6 +111,39 @@ private slots:
         QVERIFY(std::isnan(gone.U) && std::isnan(gone.k) && !gone.isKAssumed);
     }
 
+    /// The numbers of two units say nothing of each other.
+    void otherUnit_isADifference_withUOrWithout()
+    {
+        for (const double u : {0.1, 0.0, kUnknown}) {
+            QuantityPair pair = quantity("a", 1.0, u, 2.0, 1.0);
+            pair.unitNow = "kHz";
+            const QuantityDifference found = only(pair);
+            QVERIFY(found.fate == QuantityFate::UnitChanged && found.isGone());
+            QVERIFY(std::isnan(found.overU) && !found.isOverU());
+            pair.unitNow = pair.unit;
+            QVERIFY(!only(pair).isGone());
+        }
+        QuantityPair gone = quantity("a", 1.0, 0.1, 2.0, kUnknown);
+        gone.unitNow = "kHz";
+        QVERIFY(only(gone).fate == QuantityFate::Withdrawn);
+    }
+
+    /// What is stated as exact then and now, as a typed step is, may not differ at all.
+    void valuesWithoutError_differByAnything()
+    {
+        QuantityPair pair = quantity("a", 1.0, 0.0, 2.0, std::nextafter(1.0, 2.0));
+        pair.uNow = 0.0;
+        const QuantityDifference found = only(pair);
+        QVERIFY(found.fate == QuantityFate::Compared && found.isOverU());
+        QCOMPARE(found.U, 0.0);
+        QVERIFY(std::isinf(found.overU));
+        pair.now = 1.0;
+        QCOMPARE(only(pair).overU, 0.0);
+        pair.uNow = 0.1; // now it has an error: not the same claim
+        pair.now = 5.0;
+        QCOMPARE(quantityDifferences({pair}).withoutU, 1);
+    }
+
     void whatCannotBeCompared_isCounted()
     {
         const QuantityDifferences found
@@ -131,6 +164,11 @@ private slots:
                      quantity("3", 0.0, 1.0, 1.0, -3.0), quantity("w", 0.0, 1.0, 1.0, kUnknown),
                      quantity("2", 0.0, 1.0, 1.0, 2.0)}),
             std::string("w3210n"));
+        QuantityPair other = quantity("u", 0.0, 1.0, 1.0, 0.0);
+        other.unitNow = "kHz";
+        QCOMPARE(orderOf({quantity("9", 0.0, 1.0, 1.0, 9.0), other,
+                     quantity("w", 0.0, 1.0, 1.0, kUnknown)}),
+            std::string("wu9"));
         QCOMPARE(orderOf({quantity("b", 0.0, 1.0, 1.0, 1.0), quantity("a", 0.0, 1.0, 1.0, 1.0)}),
             std::string("ba"));
     }

@@ -8,6 +8,7 @@
 #include <QTest>
 
 #include <algorithm>
+#include <cmath>
 
 using namespace dyncal;
 using namespace dyncal::testing;
@@ -74,6 +75,58 @@ private slots:
         QCOMPARE(run.createdUtc, std::string("2026-01-01T00:00:00Z"));
         QVERIFY(recheckRows(answers).empty());
         QCOMPARE(recheckJson(answers), std::string("[]\n"));
+    }
+
+    /// Only then need nothing be drawn again.
+    void asIssued_isToTheLastBit_byTheSameMethods()
+    {
+        const auto same = [](const EarlierJson &issued, const EarlierJson &now) {
+            return answerOf("out", issued, now).run->isAsIssued();
+        };
+        QVERIFY(same(earlierResults(), earlierResults()));
+        QVERIFY(!same(earlierResults(), withF0(std::nextafter(318e3, 1e9))));
+        EarlierJson other = earlierResults();
+        other["software"]["method"]["monte_carlo_of_the_chain"] = 99;
+        QVERIFY(!same(other, earlierResults()));
+        other["software"].erase("method");
+        QVERIFY(!same(other, earlierResults()));
+        other = earlierResults();
+        other["findings"].push_back({{"id", "A-1"}, {"severity", "info"}, {"message", "x"}});
+        QVERIFY(!same(other, earlierResults()) && !same(earlierResults(), other));
+        other = earlierResults();
+        other["sensitivity"]["value"] = nullptr;
+        QVERIFY(!same(other, earlierResults()) && !same(earlierResults(), other));
+        const EarlierJson blocked = blockedBy(earlierResults(), "CAP-007");
+        QVERIFY(!same(blocked, blocked));
+    }
+
+    void otherUnit_isNamed_andNeedsAnAmendment()
+    {
+        EarlierJson now = earlierResults();
+        now["sensitivity"]["unit"] = "pC/Pa";
+        const auto answer = answerOf("out", earlierResults(), now);
+        QVERIFY(answer.run->hasDifferences() && answer.run->needsAmendment());
+        QCOMPARE(kindsOf({answer}),
+            std::string("out unit-changed sensitivity;out unit-changed sensitivity.per_level[0];"));
+        const EarlierJson row = jsonOf({answer})[0];
+        QCOMPARE(row["unit"], EarlierJson("V/Pa"));
+        QCOMPARE(row["unit_now"], EarlierJson("pC/Pa"));
+        QVERIFY(row["difference_over_u"].is_null());
+        QCOMPARE(row["amendment_needed"], EarlierJson(true));
+    }
+
+    /// A pressure step that was typed as exact.
+    void exactValueThatDiffers_isOverU()
+    {
+        EarlierJson issued = earlierResults();
+        issued["shock"][0]["u_step_pa"] = 0.0;
+        EarlierJson now = issued;
+        now["shock"][0]["step_pa"] = 168.001e3;
+        const auto answer = answerOf("out", issued, now);
+        QCOMPARE(kindsOf({answer}), std::string("out over-u shock[0].step_pa;"));
+        QCOMPARE(jsonOf({answer})[0]["u_expanded"], EarlierJson(0.0));
+        QVERIFY(jsonOf({answer})[0]["difference_over_u"].is_null());
+        QVERIFY(!answerOf("out", issued, issued).run->hasDifferences());
     }
 
     void difference_withinU_isNone()

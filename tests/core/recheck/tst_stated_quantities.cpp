@@ -118,6 +118,33 @@ private slots:
         QCOMPARE(pair.isAngle, of.contains("phase"));
     }
 
+    /// Every quantity, wherever its unit and u stand.
+    void unitAndUOfTheLaterResults_areThere()
+    {
+        for (const QuantityPair &pair : quantitiesOf(earlierResults(), earlierResults())) {
+            QVERIFY2(pair.unitNow == pair.unit, pair.of.c_str());
+            QVERIFY2(pair.uNow == pair.u, pair.of.c_str());
+        }
+        EarlierJson now = earlierResults();
+        now["characteristics"][0]["unit"] = "kHz";
+        now["characteristics"][0]["u"] = 0.5;
+        now["sensitivity"]["unit"] = "1/s";
+        now["shots"][0]["sensitivity_unit"] = "2/s";
+        now["response"]["unit"] = "3/s";
+        now["response"]["u_magnitude"][1] = 4.0;
+        const PairList pairs = quantitiesOf(earlierResults(), now);
+        QCOMPARE(pairOf(pairs, "f0_hz").unitNow, std::string("kHz"));
+        QCOMPARE(pairOf(pairs, "f0_hz").unit, std::string("Hz"));
+        QCOMPARE(pairOf(pairs, "f0_hz").uNow, 0.5);
+        QCOMPARE(pairOf(pairs, "damping_ratio").unitNow, std::string("1"));
+        QCOMPARE(pairOf(pairs, "sensitivity").unitNow, std::string("1/s"));
+        QCOMPARE(pairOf(pairs, "sensitivity.per_level[0]").unitNow, std::string("1/s"));
+        QCOMPARE(pairOf(pairs, "shots[0].sensitivity").unitNow, std::string("2/s"));
+        QCOMPARE(pairOf(pairs, "response.magnitude[1]").unitNow, std::string("3/s"));
+        QCOMPARE(pairOf(pairs, "response.magnitude[1]").uNow, 4.0);
+        QCOMPARE(pairOf(pairs, "response.phase_rad[1]").unitNow, std::string("rad"));
+    }
+
     void entries_areMatchedByWhatTheyAre_notByPlace()
     {
         EarlierJson now = earlierResults();

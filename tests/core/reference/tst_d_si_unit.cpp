@@ -38,6 +38,8 @@ private slots:
                                 << "rad" << std::numbers::pi / 180.0;
         QTest::newRow("one") << "\\one"
                              << "1" << 1.0;
+        QTest::newRow("per first") << "\\per\\mega\\pascal"
+                                   << "1/Pa" << 1e-6;
         QTest::newRow("squared") << "\\kilo\\pascal\\tothe{2}"
                                  << "Pa2" << 1e6;
         QTest::newRow("cancels") << "\\pascal\\kilo\\pascal\\tothe{-1}"
@@ -56,9 +58,12 @@ private slots:
 
     void malformedOnes_areRefused()
     {
-        for (const char *text : {"", "V/Pa", "\\furlong", "\\mega", "\\volt\\mega",
-                 "\\volt\\tothe{x}", "\\tothe{2}", "\\volt\\tothe{0.5}", "\\kilo\\mega\\volt",
-                 "\\volt pascal", "\\volt\\per\\per\\pascal", "\\volt\\tothe{99}"})
+        for (const char *text :
+            {"", "V/Pa", "\\furlong", "\\mega", "\\volt\\mega", "\\volt\\tothe{x}", "\\tothe{2}",
+                "\\volt\\tothe{0.5}", "\\kilo\\mega\\volt", "\\volt pascal",
+                "\\volt\\per\\per\\pascal", "\\volt\\tothe{99}", "\\volt\\per", "\\per",
+                "\\per\\per\\pascal", "\\volt\\kilo\\per\\pascal", "\\volt\\per\\tothe{2}\\pascal",
+                "\\volt\\kilo\\tothe{2}\\pascal", "\\volt\\tothe{2}\\tothe{3}"})
             QVERIFY2(!parseDSiUnit(text), text);
     }
 };

@@ -49,6 +49,30 @@ private slots:
         QVERIFY(std::isnan(made->lowest().phase_rad));
     }
 
+    /// The values behind a decimal comma would be read as those of the next columns.
+    void decimalCommas_areRefused()
+    {
+        const std::string head = "frequency_hz,magnitude,u_magnitude,dof\n";
+        for (const char *line : {"100,5,2e-8,1e-10,9", "100,5,2e-8,1e-10,", "100,2,1e-8,1e-10,9"}) {
+            const std::string fault = faultOfText(head + "50,1e-8,1e-10,9\n" + line + "\n");
+            QVERIFY2(
+                fault.starts_with("Line 3 of the table has 5 values for 4 columns"), fault.c_str());
+            QVERIFY(fault.find("decimal comma") != std::string::npos);
+        }
+        QVERIFY(faultOfText(head + "100,5,2e-8\n").starts_with("Line 2 of the table has 3 values"));
+        QVERIFY(faultOfText("frequency_hz;magnitude;u_magnitude\n1,5;2e-8;1e-10\n")
+                    .find("has semicolons")
+            != std::string::npos);
+        QVERIFY(faultOfText(head + "1,5;2e-8;1e-10;9\n").starts_with("Line 2 of the table has 2"));
+    }
+
+    void columnNamedTwice_isRefused()
+    {
+        const std::string fault
+            = faultOfText("frequency_hz,magnitude,u_magnitude,magnitude\n100,2e-8,1e-10,3e-8\n");
+        QVERIFY2(fault.starts_with("The table names the column 'magnitude' twice"), fault.c_str());
+    }
+
     void whatIsWrong_isNamedWithItsLine()
     {
         QVERIFY(faultOfText("").find("'frequency_hz'") != std::string::npos);

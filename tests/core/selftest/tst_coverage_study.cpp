@@ -18,6 +18,24 @@ class TestCoverageStudy : public QObject
     Q_OBJECT
 
 private slots:
+    /// Both kinds of check can fail from there on, and below one of them cannot: with n intervals
+    /// none within U has the probability 0.05^n, and a u that is far too large the rms 0.
+    void leastCalibrations_isTheFewestThatCanFail()
+    {
+        const Index least = leastCalibrations();
+        const auto canFail = [](Index n) {
+            const auto count = static_cast<double>(n);
+            return std::pow(0.05, count) < 1e-3 && 3.2905 / std::sqrt(2.0 * count) < 1.0;
+        };
+        QVERIFY(canFail(least) && !canFail(least - 1));
+        QCOMPARE(least, Index(6));
+        for (const SelfCheck &check : coverageStudy(least)) {
+            SelfCheck failed = check;
+            failed.found = 0.0; // nothing within U; no error at all
+            QVERIFY2(!failed.holds(), english(check.name).c_str());
+        }
+    }
+
     /// By another program's binomial distribution: P(X <= 32 of 40) = 7.1e-4, P(X <= 33) = 3.4e-3.
     void fewestInside_isTheBinomialBound()
     {

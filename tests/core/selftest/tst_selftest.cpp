@@ -68,7 +68,7 @@ private slots:
     /// Byte for byte: found values and sensitivities.
     void twice_theSame()
     {
-        const auto one = runSelfTest({2, {}}), again = runSelfTest({2, {}});
+        const auto one = runSelfTest({6, {}}), again = runSelfTest({6, {}});
         QVERIFY(one && again);
         QCOMPARE(one->checks.size(), allChecks().size() + 8);
         for (std::size_t i = 0; i < one->checks.size(); ++i)
@@ -82,6 +82,18 @@ private slots:
             QVERIFY(!report && report.error().kind == ErrorKind::Usage);
             QVERIFY(
                 english(report.error().message).find(std::to_string(count)) != std::string::npos);
+        }
+    }
+
+    /// With fewer no error could be small enough to deviate: 3.29/sqrt(2 n) < 1 needs n = 6.
+    void studyThatCannotFail_isRefused()
+    {
+        for (const Index count : {1, 2, 5}) {
+            const auto report = runSelfTest({count, {}});
+            QVERIFY(!report && report.error().kind == ErrorKind::Usage);
+            const std::string words = english(report.error().message);
+            QVERIFY2(
+                words.find("with less than 6 it cannot fail") != std::string::npos, words.c_str());
         }
     }
 

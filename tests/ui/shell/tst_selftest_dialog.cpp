@@ -73,7 +73,7 @@ private slots:
     void test_runsBehindTheWindow_andShowsEveryCheck()
     {
         const DialogBench bench;
-        bench.dialog->start(2);
+        bench.dialog->start(6);
         QVERIFY(bench.dialog->isRunning());
         QVERIFY(bench.find<QProgressBar>("selfTestProgress")->isVisible());
         QVERIFY(!bench.button("selfTestAgain")->isEnabled());

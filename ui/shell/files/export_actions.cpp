@@ -51,23 +51,31 @@ bool ExportActions::refusesRecording(const QString &path)
     return true;
 }
 
-/// Only results that belong to the settings on the screen, and to files that are as they were, are
-/// written.
+Message ExportActions::whyNoResults(const Session &session)
+{
+    if (const Result<void> same = checkSources(*session.state().captures); !same)
+        return same.error().message;
+    if (session.isComputing())
+        return {DYNCAL_TEXT("core", "The results are still being computed; try again in a moment."),
+            {}};
+    if (!session.isUpToDate())
+        return {
+            DYNCAL_TEXT("core",
+                "The results are out of date because the computation was cancelled; press F9 to compute them again."),
+            {}};
+    if (!session.results().model)
+        return {DYNCAL_TEXT("core",
+                    "There is no model yet: open recordings and clear what blocks the stages."),
+            {}};
+    return {};
+}
+
 bool ExportActions::hasResults()
 {
-    QString problem;
-    if (const Result<void> same = checkSources(*m_session.state().captures); !same)
-        problem = translated(same.error().message);
-    else if (m_session.isComputing())
-        problem = tr("The results are still being computed; try again in a moment.");
-    else if (!m_session.isUpToDate())
-        problem = tr(
-            "The results are out of date because the computation was cancelled; press F9 to compute them again.");
-    else if (!m_session.results().model)
-        problem = tr("There is no model yet: open recordings and clear what blocks the stages.");
-    if (!problem.isEmpty())
-        m_prompts.showProblem(m_window, problem);
-    return problem.isEmpty();
+    const Message why = whyNoResults(m_session);
+    if (why.text)
+        m_prompts.showProblem(m_window, translated(why));
+    return !why.text;
 }
 
 PipelineOutcome ExportActions::outcome() const

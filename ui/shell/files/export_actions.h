@@ -26,6 +26,10 @@ public:
     void exportCertificate(const QString &proposed); ///< path that the dialog offers
     void exportModel();
 
+    /// Why no results may leave the program now: they are not there, not those of the settings on
+    /// the screen, or the recordings are not the files that were opened. Without text: they may.
+    static Message whyNoResults(const Session &session);
+
     bool isRunning() const { return m_job.isRunning(); }
     bool refuses(); ///< true, with a message, while something is being written
     bool refusesRecording(const QString &path); ///< with a message, even after a dialog asked

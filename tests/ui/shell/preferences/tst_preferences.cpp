@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "tests/support/test_program.h"
+#include "ui/shell/preferences/language.h"
 #include "ui/shell/preferences/preferences.h"
 #include "ui/stages/frame/prompts.h"
 
@@ -19,6 +20,7 @@ private slots:
     void values_survive();
     void recentFiles_newestFirst_onlyExisting_atMostTen();
     void language_unknown_isEnglish();
+    void plurals_ofEnglish_areThereInEveryLocale();
     void scriptedPrompts_withoutAnswer_cancel();
     void saveFile_withoutSuffix_getsOne();
 };
@@ -67,6 +69,29 @@ void TestPreferences::language_unknown_isEnglish()
     Preferences preferences(folder.filePath("settings.ini"));
     preferences.setLanguage("xx");
     QCOMPARE(preferences.language(), QString("en"));
+}
+
+/// "12 notes", not "12 note(s)": English has a translation of its plurals, whatever the desktop is.
+void TestPreferences::plurals_ofEnglish_areThereInEveryLocale()
+{
+    const QByteArray before = qgetenv("LC_ALL");
+    const auto notes = [](int count) {
+        return QCoreApplication::translate("dyncal::FindingsPanel", "%n note(s)", nullptr, count);
+    };
+    for (const char *locale : {"C", "POSIX", "sv_SE.UTF-8", ""}) {
+        qputenv("LC_ALL", locale);
+        QTemporaryDir folder;
+        Language language;
+        language.install(Preferences(folder.filePath("settings.ini")).language());
+        if (language.code() == "sv")
+            language.install("en");
+        QCOMPARE(notes(12), QString("12 notes"));
+        QCOMPARE(notes(1), QString("1 note"));
+        language.install("sv");
+        language.install("en");
+        QCOMPARE(notes(0), QString("0 notes"));
+    }
+    qputenv("LC_ALL", before);
 }
 
 void TestPreferences::scriptedPrompts_withoutAnswer_cancel()

@@ -1,0 +1,42 @@
+// SPDX-FileCopyrightText: 2026 The Dyncal authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "ui/shell/tool_windows.h"
+
+#include "ui/shell/preferences/language.h"
+#include "ui/shell/selftest_dialog.h"
+
+namespace dyncal {
+
+ToolWindows::ToolWindows(Parts parts, QWidget *window)
+    : QObject(window)
+    , m_parts(std::move(parts))
+    , m_window(window)
+{
+}
+
+ToolWindows::~ToolWindows()
+{
+    delete m_correction;
+}
+
+void ToolWindows::testInstallation()
+{
+    auto *dialog = new SelfTestDialog(m_parts.currentUtc, m_parts.prompts, m_parts.preferences,
+        m_parts.language.code(), m_window);
+    dialog->setAttribute(Qt::WA_DeleteOnClose);
+    dialog->open();
+    dialog->start();
+}
+
+void ToolWindows::correctRecording()
+{
+    if (!m_correction)
+        m_correction = new CorrectionWindow(
+            m_parts.session, m_parts.currentUtc, m_parts.prompts, m_parts.preferences, m_window);
+    m_correction->show();
+    m_correction->raise();
+    m_correction->activateWindow();
+}
+
+} // namespace dyncal
