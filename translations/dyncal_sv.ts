@@ -1084,6 +1084,18 @@ steget</translation>
         <source>Its expanded uncertainty, in the unit of the value, at k = 2</source>
         <translation>Dess utvidgade osäkerhet, i värdets enhet, vid k = 2</translation>
     </message>
+    <message>
+        <source>An input of the budget whose error goes along with another&apos;s; the budget must state its u</source>
+        <translation>En storhet i budgeten vars fel följer en annans; budgeten måste ange dess u</translation>
+    </message>
+    <message>
+        <source>The other input, as where one instrument or one certificate is behind both</source>
+        <translation>Den andra storheten, som när ett instrument eller ett bevis ligger bakom båda</translation>
+    </message>
+    <message>
+        <source>The part of their variance that both have in common, -1 to 1; negative where they err the opposite way</source>
+        <translation>Den del av variansen som båda har gemensam, -1 till 1; negativ där felen går åt motsatt håll</translation>
+    </message>
 </context>
 <context>
     <name>Corrections</name>
@@ -8672,6 +8684,14 @@ steget</translation>
         <source>There is no model yet: open recordings and clear what blocks the stages.</source>
         <translation>Det finns ingen modell än: öppna registreringar och åtgärda det som blockerar arbetsstegen.</translation>
     </message>
+    <message>
+        <source>%1 of %2 records made as the model gives them, with the noise of the shots, could not be fitted again: the values of the model may be far more uncertain than is stated. Choose a lower order, or record with less noise.</source>
+        <translation>%1 av %2 registreringar som modellen ger dem, med skottens brus, kunde inte anpassas på nytt: modellens värden kan vara långt osäkrare än vad som anges. Välj en lägre ordning eller spela in med mindre brus.</translation>
+    </message>
+    <message>
+        <source>%1 of %2 refits of simulated records is %3 times as uncertain as the model&apos;s covariance has it, and %4 of that u apart: the stated uncertainties of the model&apos;s values do not hold. Choose a lower order, or record with less noise.</source>
+        <translation>%1 från %2 nya anpassningar till simulerade registreringar är %3 gånger så osäker som modellens kovarians anger, och skiljer sig med %4 av detta u: de angivna osäkerheterna för modellens värden håller inte. Välj en lägre ordning eller spela in med mindre brus.</translation>
+    </message>
 </context>
 <context>
     <name>dyncal::ArrivalPanel</name>
@@ -9830,6 +9850,49 @@ steget</translation>
     <message>
         <source>Of earlier settings: press Correct to compute it again.</source>
         <translation>Från tidigare inställningar: tryck på Korrigera för att beräkna det igen.</translation>
+    </message>
+</context>
+<context>
+    <name>dyncal::CorrelationPanel</name>
+    <message>
+        <source>%1 with %2: r = %3</source>
+        <translation>%1 med %2: r = %3</translation>
+    </message>
+    <message>
+        <source>Inputs that err together</source>
+        <translation>Storheter vars fel följs åt</translation>
+    </message>
+    <message>
+        <source>Correlations of the budget</source>
+        <translation>Korrelationer i budgeten</translation>
+    </message>
+    <message>
+        <source>Input</source>
+        <translation>Storhet</translation>
+    </message>
+    <message>
+        <source>Goes along with</source>
+        <translation>Följer</translation>
+    </message>
+    <message>
+        <source>Correlation r</source>
+        <translation>Korrelation r</translation>
+    </message>
+    <message>
+        <source>needed</source>
+        <translation>krävs</translation>
+    </message>
+    <message>
+        <source>Add a correlation</source>
+        <translation>Lägg till en korrelation</translation>
+    </message>
+    <message>
+        <source>Change a correlation</source>
+        <translation>Ändra en korrelation</translation>
+    </message>
+    <message>
+        <source>Remove a correlation</source>
+        <translation>Ta bort en korrelation</translation>
     </message>
 </context>
 <context>
