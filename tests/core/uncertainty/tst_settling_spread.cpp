@@ -190,8 +190,8 @@ private slots:
         made.variations.clear();
         QVERIFY(std::isnan(spreadOf(made)));
         made = madeOf(0.2, 1, 0.005);
-        QVERIFY(std::isnan(
-            settlingSpread_s(made.model.model, made.variations, ResponseTreatment::Impulse, 1e-6, 1.0)));
+        QVERIFY(std::isnan(settlingSpread_s(
+            made.model.model, made.variations, ResponseTreatment::Impulse, 1e-6, 1.0)));
     }
 };
 
