@@ -42,8 +42,7 @@ CertificateSection issueSection(const CertificateIssue &issue)
 /// A draft knows nothing of traceability; an issued one is refused without it.
 void stateTraceability(CertificateData &data)
 {
-    const auto statements
-        = std::ranges::find(data.sections, "statements", &CertificateSection::id);
+    const auto statements = std::ranges::find(data.sections, "statements", &CertificateSection::id);
     if (statements != data.sections.end() && !statements->paragraphs.empty())
         statements->paragraphs.back() = {
             DYNCAL_TEXT("core",

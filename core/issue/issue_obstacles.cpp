@@ -3,8 +3,8 @@
 
 #include "core/issue/issue_obstacles.h"
 
-#include "core/certificate/required_fields.h"
 #include "core/certificate/certificate_words.h"
+#include "core/certificate/required_fields.h"
 #include "core/pipeline/calibration_kind.h"
 #include "core/pipeline/stage_table.h"
 #include "core/project/laboratory_profile.h"
@@ -81,8 +81,7 @@ void addCautions(const Findings &found, const Recipe &recipe, Findings &findings
 
 void addSecondName(const Recipe &recipe, const IssueNames &names, Findings &findings)
 {
-    const bool isOther
-        = !isBlank(names.reviewedBy) && names.reviewedBy != issuerOf(recipe, names);
+    const bool isOther = !isBlank(names.reviewedBy) && names.reviewedBy != issuerOf(recipe, names);
     if (!isOther && recipe.profile && demandsSecondName(*recipe.profile))
         block(findings, "CER-005",
             {DYNCAL_TEXT("core",
@@ -100,7 +99,8 @@ Index rowsWithout(const ResponseResult &response, const RowUncertainty &rows)
 {
     Index count = 0;
     for (Index row = 0; row < response.magnitude.size(); ++row)
-        if (std::isfinite(response.magnitude[row]) && !std::isfinite(valueAt(rows.u_magnitude, row)))
+        if (std::isfinite(response.magnitude[row])
+            && !std::isfinite(valueAt(rows.u_magnitude, row)))
             ++count;
     return count;
 }
@@ -118,7 +118,8 @@ void addIncomplete(const CalibrationResults &results, Findings &findings)
     if (report.sensitivity && lacksUncertainty(*report.sensitivity))
         lacking.push_back(report.sensitivity->of);
     for (const char *of : {"f0_hz", "damping_ratio"})
-        if (const ReportedValue *reported = report.find(of); reported && lacksUncertainty(*reported))
+        if (const ReportedValue *reported = report.find(of);
+            reported && lacksUncertainty(*reported))
             lacking.emplace_back(of);
     if (const Index rows = results.response ? rowsWithout(*results.response, report.rows) : 0)
         lacking.push_back("S(f): " + std::to_string(rows));

@@ -28,8 +28,8 @@ Recipe issuedRecipe(Recipe recipe, const std::string &number, const IssueNames &
 /// Who issues it: `by`, or the operator of the recipe; empty where neither is known.
 std::string issuerOf(const Recipe &recipe, const IssueNames &names);
 
-/// What is calibrated: SHA-256 of the hashes of the recordings and of the numbers of their shots, in
-/// any order. Needs sealed captures.
+/// What is calibrated: SHA-256 of the hashes of the recordings and of the numbers of their shots,
+/// in any order. Needs sealed captures.
 std::string jobOf(const CaptureSet &captures);
 
 /// SHA-256 of all that the certificate is made of: recordings, recipe, names, and what it amends.

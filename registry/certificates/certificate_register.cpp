@@ -19,17 +19,14 @@ constexpr const char *kIssuedAlready = "CER-006";
 
 std::string programText()
 {
-    return std::string("dyncal ").append(versionText()).append(" (build ").append(buildText()) + ')';
+    return std::string("dyncal ").append(versionText()).append(" (build ").append(buildText())
+        + ')';
 }
 
 AuditEntry entryFor(const std::string &utc, const std::string &who, const char *action,
     const std::string &reason = {})
 {
-    return {.utc = utc,
-        .who = who,
-        .action = action,
-        .reason = reason,
-        .program = programText()};
+    return {.utc = utc, .who = who, .action = action, .reason = reason, .program = programText()};
 }
 
 qint64 sqlNumber(Index number)
@@ -94,7 +91,8 @@ Result<void> bothNeeded(const std::string &who, const std::string &reason)
     if (!who.empty() && !reason.empty())
         return {};
     return fail(ErrorKind::Usage,
-        {DYNCAL_TEXT("core", "A name (--by) and a reason (--reason) are needed for the audit trail."),
+        {DYNCAL_TEXT(
+             "core", "A name (--by) and a reason (--reason) are needed for the audit trail."),
             {}});
 }
 
@@ -163,7 +161,8 @@ Result<CertificateRecord> CertificateRegister::find(Index number)
         return tl::unexpected<Error>(found.error());
     if (found->empty())
         return fail(ErrorKind::Usage,
-            {DYNCAL_TEXT("core", "The registry %1 has no certificate %2; see dyncal registry list."),
+            {DYNCAL_TEXT(
+                 "core", "The registry %1 has no certificate %2; see dyncal registry list."),
                 {m_database.address().shown(), std::to_string(number)}});
     return found->front();
 }
@@ -186,25 +185,25 @@ Result<void> CertificateRegister::put(const std::optional<CertificateRecord> &be
             {sqlNumber(after.number), sqlText(certificateStateName(after.state)),
                 sqlText(after.job), sqlText(after.jobSha256), sqlText(added->after),
                 sqlNumber(added->sequence)})
-        .map([](const auto &) { });
+        .map([](const auto &) {});
 }
 
 Result<CertificateRecord> CertificateRegister::newNumber(const NumberRequest &request)
 {
     const auto raised
         = m_database.run("UPDATE counters SET last = last + 1 WHERE name = 'certificates'");
-    const auto counter = raised
-        ? m_database.run("SELECT last FROM counters WHERE name = 'certificates'")
-        : raised;
+    const auto counter
+        = raised ? m_database.run("SELECT last FROM counters WHERE name = 'certificates'") : raised;
     if (!counter || counter->empty())
         return counter ? fail(ErrorKind::FileUnreadable,
-                             {DYNCAL_TEXT("core",
-                                  "The registry %1 has lost its counter; take a copy from before."),
-                                 {m_database.address().shown()}})
+                   {DYNCAL_TEXT(
+                        "core", "The registry %1 has lost its counter; take a copy from before."),
+                       {m_database.address().shown()}})
                        : tl::unexpected<Error>(counter.error());
     const CertificateRecord record = requested(request, counter->front().front().toLongLong());
-    return put({}, record, entryFor(request.utc, request.by, "reserved", request.reason))
-        .map([&] { return record; });
+    return put({}, record, entryFor(request.utc, request.by, "reserved", request.reason)).map([&] {
+        return record;
+    });
 }
 
 /// A reserved number for what its job is now.
@@ -261,11 +260,12 @@ Result<ReservedNumber> CertificateRegister::withTrail(CertificateRecord record)
 {
     const auto own = entriesOf(m_database, certificateObject(record.number));
     if (!own || own->empty())
-        return own ? fail(ErrorKind::FileUnreadable,
-                         {DYNCAL_TEXT("core",
-                              "The registry %1 has no entry of the audit trail about certificate %2; see dyncal verify."),
-                             {m_database.address().shown(), std::to_string(record.number)}})
-                   : tl::unexpected<Error>(own.error());
+        return own
+            ? fail(ErrorKind::FileUnreadable,
+                {DYNCAL_TEXT("core",
+                     "The registry %1 has no entry of the audit trail about certificate %2; see dyncal verify."),
+                    {m_database.address().shown(), std::to_string(record.number)}})
+            : tl::unexpected<Error>(own.error());
     auto head = own->end() - 1;
     if (record.state != CertificateState::Reserved)
         head = std::ranges::find(*own, record.head, &AuditEntry::sha256);
@@ -296,8 +296,7 @@ Result<ReservedNumber> CertificateRegister::reserveNow(const NumberRequest &requ
         return tl::unexpected<Error>(record.error());
     std::vector<AuditEntry> more;
     for (const JobDecision &decision : request.decisions)
-        more.push_back(
-            entryFor(request.utc, request.by, decision.action.c_str(), decision.reason));
+        more.push_back(entryFor(request.utc, request.by, decision.action.c_str(), decision.reason));
     if (!request.reviewedBy.empty())
         more.push_back(entryFor(request.utc, request.reviewedBy, "reviewed"));
     for (AuditEntry &entry : more) {
@@ -313,7 +312,7 @@ Result<ReservedNumber> CertificateRegister::reserve(const NumberRequest &request
     Result<ReservedNumber> reserved;
     const Result<void> done = m_database.transaction([&]() -> Result<void> {
         reserved = reserveNow(request);
-        return reserved.map([](const auto &) { });
+        return reserved.map([](const auto &) {});
     });
     return done ? reserved : tl::unexpected<Error>(done.error());
 }

@@ -38,7 +38,8 @@ struct NumberRequest
 /// A number that a job has, and the trail that belongs on its certificate.
 struct ReservedNumber
 {
-    CertificateRecord record; ///< state Reserved; in force where the same job has been issued before
+    CertificateRecord
+        record; ///< state Reserved; in force where the same job has been issued before
     std::vector<AuditEntry> trail; ///< from the first entry about it to the head before issuing
 };
 

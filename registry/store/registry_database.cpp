@@ -63,7 +63,8 @@ Result<void> checkPlace(const RegistryAddress &address, RegistryAccess access)
         if (fs::is_regular_file(address.file, error))
             return {};
         return fail(ErrorKind::FileUnreadable,
-            {DYNCAL_TEXT("core", "There is no registry %1; name the file or the server with --registry."),
+            {DYNCAL_TEXT(
+                 "core", "There is no registry %1; name the file or the server with --registry."),
                 {address.shown()}});
     }
     const std::string network = networkFileSystemOf(address.file);
@@ -174,7 +175,7 @@ Result<void> RegistryDatabase::begin()
 {
     // Writers one after the other, from the first statement on: what is read is what is there.
     if (!d->address.isServer())
-        return run("BEGIN IMMEDIATE").map([](const auto &) { });
+        return run("BEGIN IMMEDIATE").map([](const auto &) {});
     constexpr const char *kLock = "SELECT pg_advisory_xact_lock(1685679971)";
     return run("BEGIN").and_then([&](const auto &) { return run(kLock); }).map([](const auto &) {});
 }
@@ -187,7 +188,7 @@ Result<void> RegistryDatabase::transaction(const std::function<Result<void>()> &
     }
     Result<void> done = work();
     if (done)
-        done = run("COMMIT").map([](const auto &) { });
+        done = run("COMMIT").map([](const auto &) {});
     if (!done)
         run("ROLLBACK");
     return done;

@@ -18,15 +18,16 @@ namespace dyncal {
 enum class RegistryAccess { Read, Write };
 
 /// A connection to the database of a registry: SQLite or PostgreSQL, the same statements for both.
-/// All fail (Usage where the place is at fault, Internal otherwise) with the reason of the database.
+/// All fail (Usage where the place is at fault, Internal otherwise) with the reason of the
+/// database.
 class RegistryDatabase
 {
 public:
     using Row = std::vector<QVariant>;
 
-    /// Opens the database and waits at most a minute for other programs that write it. A file that is
-    /// to be written is made if it is missing, and refused on a network folder. Needs no application
-    /// object: where there is none it makes one for as long as it lives.
+    /// Opens the database and waits at most a minute for other programs that write it. A file that
+    /// is to be written is made if it is missing, and refused on a network folder. Needs no
+    /// application object: where there is none it makes one for as long as it lives.
     static Result<RegistryDatabase> open(const RegistryAddress &address, RegistryAccess access);
 
     RegistryDatabase(RegistryDatabase &&) noexcept;
@@ -36,11 +37,12 @@ public:
     const RegistryAddress &address() const;
 
     /// One statement with '?' for its values; the rows that it gives.
-    Result<std::vector<Row>> run(const QString &statement, const std::vector<QVariant> &values = {});
+    Result<std::vector<Row>> run(
+        const QString &statement, const std::vector<QVariant> &values = {});
 
-    /// Runs `work` as one transaction that no other program writes in: all of it is on disk when this
-    /// returns, or nothing where it fails. After a failure of the connection during the very end
-    /// either may be true.
+    /// Runs `work` as one transaction that no other program writes in: all of it is on disk when
+    /// this returns, or nothing where it fails. After a failure of the connection during the very
+    /// end either may be true.
     Result<void> transaction(const std::function<Result<void>()> &work);
 
 private:

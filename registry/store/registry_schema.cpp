@@ -43,11 +43,10 @@ Result<void> backUpFile(RegistryDatabase &database, int version)
 {
     if (database.address().isServer() || version == 0)
         return {};
-    const std::string file
-        = database.address().file + ".before-" + std::to_string(version + 1);
+    const std::string file = database.address().file + ".before-" + std::to_string(version + 1);
     std::error_code ignored;
     std::filesystem::remove(file, ignored); // of a change that did not come to its end
-    return database.run("VACUUM INTO ?", {QString::fromStdString(file)}).map([](const auto &) { });
+    return database.run("VACUUM INTO ?", {QString::fromStdString(file)}).map([](const auto &) {});
 }
 
 Result<void> runAll(RegistryDatabase &database, const std::vector<QString> &statements)
@@ -81,21 +80,20 @@ Result<void> takeSteps(
     return database
         .run("UPDATE registry_schema SET version = ?",
             {QVariant::fromValue(static_cast<qint64>(steps.size()))})
-        .map([](const auto &) { });
+        .map([](const auto &) {});
 }
 
 } // namespace
 
 const std::vector<SchemaStep> &schemaSteps()
 {
-    static const std::vector<SchemaStep> steps{
-        {"CREATE TABLE registry_schema (version BIGINT NOT NULL)",
-            "INSERT INTO registry_schema (version) VALUES (1)",
-            "CREATE TABLE counters (name VARCHAR(64) PRIMARY KEY, last BIGINT NOT NULL)",
-            "INSERT INTO counters (name, last) VALUES ('certificates', 0)",
-            "CREATE TABLE trail (sequence BIGINT PRIMARY KEY, utc TEXT NOT NULL, who TEXT NOT NULL, action TEXT NOT NULL, object TEXT NOT NULL, row_before TEXT NOT NULL, row_after TEXT NOT NULL, reason TEXT NOT NULL, program TEXT NOT NULL, previous TEXT NOT NULL, sha256 TEXT NOT NULL)",
-            "CREATE TABLE certificates (number BIGINT PRIMARY KEY, state TEXT NOT NULL, job TEXT NOT NULL, job_sha256 TEXT NOT NULL, record TEXT NOT NULL, entry BIGINT NOT NULL)",
-            "CREATE TABLE cards (kind VARCHAR(64) NOT NULL, name VARCHAR(400) NOT NULL, record TEXT NOT NULL, entry BIGINT NOT NULL, PRIMARY KEY (kind, name))"}};
+    static const std::vector<SchemaStep> steps{{"CREATE TABLE registry_schema (version BIGINT NOT NULL)",
+        "INSERT INTO registry_schema (version) VALUES (1)",
+        "CREATE TABLE counters (name VARCHAR(64) PRIMARY KEY, last BIGINT NOT NULL)",
+        "INSERT INTO counters (name, last) VALUES ('certificates', 0)",
+        "CREATE TABLE trail (sequence BIGINT PRIMARY KEY, utc TEXT NOT NULL, who TEXT NOT NULL, action TEXT NOT NULL, object TEXT NOT NULL, row_before TEXT NOT NULL, row_after TEXT NOT NULL, reason TEXT NOT NULL, program TEXT NOT NULL, previous TEXT NOT NULL, sha256 TEXT NOT NULL)",
+        "CREATE TABLE certificates (number BIGINT PRIMARY KEY, state TEXT NOT NULL, job TEXT NOT NULL, job_sha256 TEXT NOT NULL, record TEXT NOT NULL, entry BIGINT NOT NULL)",
+        "CREATE TABLE cards (kind VARCHAR(64) NOT NULL, name VARCHAR(400) NOT NULL, record TEXT NOT NULL, entry BIGINT NOT NULL, PRIMARY KEY (kind, name))"}};
     return steps;
 }
 

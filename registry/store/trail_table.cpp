@@ -12,9 +12,9 @@ using Row = RegistryDatabase::Row;
 
 constexpr const char *kColumns
     = "sequence, utc, who, action, object, row_before, row_after, reason, program, previous, sha256";
-constexpr std::string AuditEntry::*kTexts[]{&AuditEntry::utc, &AuditEntry::who,
-    &AuditEntry::action, &AuditEntry::object, &AuditEntry::before, &AuditEntry::after,
-    &AuditEntry::reason, &AuditEntry::program, &AuditEntry::previous, &AuditEntry::sha256};
+constexpr std::string AuditEntry::*kTexts[]{&AuditEntry::utc, &AuditEntry::who, &AuditEntry::action,
+    &AuditEntry::object, &AuditEntry::before, &AuditEntry::after, &AuditEntry::reason,
+    &AuditEntry::program, &AuditEntry::previous, &AuditEntry::sha256};
 
 AuditEntry entryOf(const Row &row)
 {
@@ -53,7 +53,8 @@ Result<AuditEntry> appendEntry(RegistryDatabase &database, const AuditEntry &ent
     for (const auto text : kTexts)
         values.push_back(QString::fromStdString(added.*text));
     return database
-        .run(QString("INSERT INTO trail (%1) VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)").arg(kColumns),
+        .run(QString("INSERT INTO trail (%1) VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)")
+                 .arg(kColumns),
             values)
         .map([&](const auto &) { return added; });
 }
@@ -71,7 +72,8 @@ Result<std::vector<AuditEntry>> entriesBetween(RegistryDatabase &database, Index
 
 Result<std::vector<AuditEntry>> entriesOf(RegistryDatabase &database, const std::string &object)
 {
-    return selected(database, "WHERE object = ? ORDER BY sequence", {QString::fromStdString(object)});
+    return selected(
+        database, "WHERE object = ? ORDER BY sequence", {QString::fromStdString(object)});
 }
 
 } // namespace dyncal

@@ -15,8 +15,7 @@ Result<AuditEntry> appendEntry(RegistryDatabase &database, const AuditEntry &ent
 
 /// Entries in their order: all, or those from `first` to `last`.
 Result<std::vector<AuditEntry>> allEntries(RegistryDatabase &database);
-Result<std::vector<AuditEntry>> entriesBetween(
-    RegistryDatabase &database, Index first, Index last);
+Result<std::vector<AuditEntry>> entriesBetween(RegistryDatabase &database, Index first, Index last);
 
 /// Entries about one object, in their order.
 Result<std::vector<AuditEntry>> entriesOf(RegistryDatabase &database, const std::string &object);

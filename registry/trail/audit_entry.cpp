@@ -12,10 +12,9 @@ const std::string kNoEntry(kSha256Digits, '0');
 
 std::string contentSha256(const AuditEntry &entry)
 {
-    return sha256Hex(std::string_view(jsonLine(
-        {{"utc", entry.utc}, {"who", entry.who}, {"action", entry.action}, {"object", entry.object},
-            {"before", entry.before}, {"after", entry.after}, {"reason", entry.reason},
-            {"program", entry.program}})));
+    return sha256Hex(std::string_view(jsonLine({{"utc", entry.utc}, {"who", entry.who},
+        {"action", entry.action}, {"object", entry.object}, {"before", entry.before},
+        {"after", entry.after}, {"reason", entry.reason}, {"program", entry.program}})));
 }
 
 std::string entrySha256(

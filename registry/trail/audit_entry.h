@@ -42,11 +42,12 @@ std::string contentSha256(const AuditEntry &entry);
 std::string entrySha256(
     const std::string &previous, Index sequence, const std::string &contentSha256);
 
-/// The entry as the next one behind `last` (null: the first): sequence, previous and hash filled in.
+/// The entry as the next one behind `last` (null: the first): sequence, previous and hash filled
+/// in.
 AuditEntry chained(AuditEntry entry, const AuditEntry *last);
 
-/// Sequence of the first entry that does not follow from the one before, or whose hash is not that of
-/// what it says; empty for an unbroken chain from 1 on.
+/// Sequence of the first entry that does not follow from the one before, or whose hash is not that
+/// of what it says; empty for an unbroken chain from 1 on.
 std::optional<Index> firstBreak(const std::vector<AuditEntry> &entries);
 
 } // namespace dyncal

@@ -16,8 +16,8 @@ using Json = nlohmann::json;
 /// The texts of an open line, by their keys.
 constexpr std::pair<const char *, std::string AuditEntry::*> kTexts[]{{"utc", &AuditEntry::utc},
     {"who", &AuditEntry::who}, {"action", &AuditEntry::action}, {"object", &AuditEntry::object},
-    {"before", &AuditEntry::before}, {"after", &AuditEntry::after},
-    {"reason", &AuditEntry::reason}, {"program", &AuditEntry::program}};
+    {"before", &AuditEntry::before}, {"after", &AuditEntry::after}, {"reason", &AuditEntry::reason},
+    {"program", &AuditEntry::program}};
 
 std::optional<std::string> textOf(const Json &line, const char *key)
 {
@@ -58,7 +58,7 @@ std::optional<AuditLine> lineOf(const std::string &text)
         return line;
     line.entry = openEntry(json, line);
     return line.entry && json.size() == kKeysOfClosed + std::size(kTexts) ? std::optional(line)
-                                                                         : std::nullopt;
+                                                                          : std::nullopt;
 }
 
 } // namespace
@@ -98,8 +98,7 @@ std::optional<Index> firstBrokenLine(const std::vector<AuditLine> &lines)
     for (std::size_t i = 0; i < lines.size(); ++i) {
         const AuditLine &line = lines[i];
         const bool follows = i == 0
-            || (line.previous == lines[i - 1].sha256
-                && line.sequence == lines[i - 1].sequence + 1);
+            || (line.previous == lines[i - 1].sha256 && line.sequence == lines[i - 1].sequence + 1);
         const bool isWhole = line.sha256 == entrySha256(line.previous, line.sequence, line.content)
             && (!line.entry || contentSha256(*line.entry) == line.content);
         if (!follows || !isWhole)

@@ -25,8 +25,8 @@ std::string auditText(const std::vector<AuditEntry> &entries, const std::string 
 /// Reads it back. Fails (FileUnreadable), with the number of the line, where it is no such file.
 Result<std::vector<AuditLine>> parseAudit(const std::string &text);
 
-/// Number (from 1) of the first line that does not follow from the one before or whose hashes are not
-/// those of what it says; empty for an unbroken chain.
+/// Number (from 1) of the first line that does not follow from the one before or whose hashes are
+/// not those of what it says; empty for an unbroken chain.
 std::optional<Index> firstBrokenLine(const std::vector<AuditLine> &lines);
 
 } // namespace dyncal

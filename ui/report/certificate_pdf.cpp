@@ -4,8 +4,8 @@
 #include "ui/report/certificate_pdf.h"
 
 #include "ui/report/certificate_blocks.h"
-#include "ui/report/pdf_marks.h"
 #include "ui/report/pdf_bytes.h"
+#include "ui/report/pdf_marks.h"
 #include "ui/text/core_text.h"
 #include "ui/text/shown_text.h"
 
