@@ -51,6 +51,18 @@ Result<Difference> checkDatabase(RegistryDatabase &database)
         : Difference({DYNCAL_TEXT("core", "A table is missing (%1)."), {*made.begin()}});
 }
 
+Result<Difference> checkVersion(RegistryDatabase &database)
+{
+    const auto rows = database.run("SELECT version FROM registry_schema");
+    if (!rows)
+        return tl::unexpected<Error>(rows.error());
+    const auto known = static_cast<qlonglong>(schemaSteps().size());
+    return rows->size() == 1 && rows->front().front().toLongLong() == known
+        ? Difference()
+        : Difference({DYNCAL_TEXT("core", "The version of the tables is not %1."),
+            {std::to_string(known)}});
+}
+
 Difference checkChain(const std::vector<AuditEntry> &entries)
 {
     const std::optional<Index> broken = firstBreak(entries);
@@ -167,6 +179,8 @@ Result<RegistryCheck> checkRegistry(CertificateRegister &registry)
     RegistryDatabase &database = registry.database();
     RegistryCheck check;
     Result<Difference> found = checkDatabase(database);
+    if (found && !*found)
+        found = checkVersion(database);
     if (!found)
         return tl::unexpected<Error>(found.error());
     check.firstDifference = *found;
