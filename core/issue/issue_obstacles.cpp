@@ -130,11 +130,17 @@ void addIncomplete(const CalibrationResults &results, Findings &findings)
                 {joined(lacking)}});
 }
 
+/// The source of a line without the sensor that it is of: "distance_m[Driven side]".
+std::string sourceOf(const UncertaintyLine &line)
+{
+    return line.quantity.substr(0, line.quantity.find('['));
+}
+
 /// Inputs that a measuring instrument is behind, which must be traceable.
 bool isMeasured(const std::string &quantity)
 {
-    constexpr std::array<std::string_view, 8> kMeasured{"p1_pa", "t1_k", "velocity_m_s",
-        "distance_m", "arrival_s", "step_relative", "gain_relative", "clock_relative"};
+    constexpr std::array<std::string_view, 7> kMeasured{"p1_pa", "t1_k", "velocity_m_s",
+        "distance_m", "step_relative", "gain_relative", "clock_relative"};
     return std::ranges::find(kMeasured, quantity) != kMeasured.end();
 }
 
@@ -150,8 +156,9 @@ void addTraceability(const CalibrationResults &results, const Recipe &recipe, Fi
     std::set<std::string> untraced;
     const auto look = [&](const ReportedValue &reported) {
         for (const UncertaintyLine &line : reported.lines)
-            if (isMeasured(line.quantity) && !hasCertificate(recipe, line.quantity))
-                untraced.insert(line.quantity);
+            if (const std::string source = sourceOf(line);
+                isMeasured(source) && !hasCertificate(recipe, source))
+                untraced.insert(source);
     };
     if (results.uncertainty && results.uncertainty->sensitivity)
         look(*results.uncertainty->sensitivity);

@@ -59,8 +59,8 @@ Result<Difference> checkVersion(RegistryDatabase &database)
     const auto known = static_cast<qlonglong>(schemaSteps().size());
     return rows->size() == 1 && rows->front().front().toLongLong() == known
         ? Difference()
-        : Difference({DYNCAL_TEXT("core", "The version of the tables is not %1."),
-            {std::to_string(known)}});
+        : Difference(
+            {DYNCAL_TEXT("core", "The version of the tables is not %1."), {std::to_string(known)}});
 }
 
 Difference checkChain(const std::vector<AuditEntry> &entries)

@@ -134,28 +134,36 @@ Message doesNotFit(const char *one, const char *other, const char *what)
 }
 
 /// Names and hashes of recordings, in their order.
-std::vector<std::pair<std::string, std::string>> recordingsOf(const Json &list, const char *name)
+using Recordings = std::vector<std::pair<std::string, std::string>>;
+
+Recordings recordingsOf(const Json &list, const char *name)
 {
-    std::vector<std::pair<std::string, std::string>> recordings;
+    Recordings recordings;
     for (const Json &one : list)
         recordings.emplace_back(
             fs::path(one.at(name).get<std::string>()).filename().string(), one.at("sha256"));
     return recordings;
 }
 
-Difference compareDocuments(
-    const Json &project, const Json &recipe, const Json &results, const IssuedManifest &manifest)
+/// What the documents of a certificate have in common.
+struct Documents
 {
-    if (results.at("recipe") != recipe)
+    Json recipe, recipeOfProject, recipeOfResults;
+    Recordings ofProject, ofResults;
+    std::string number, utc;
+};
+
+Difference compareDocuments(const Documents &documents, const IssuedManifest &manifest)
+{
+    if (documents.recipeOfResults != documents.recipe)
         return doesNotFit("results.json", "recipe.json", "the recipe");
-    if (project.at("recipe") != recipe)
+    if (documents.recipeOfProject != documents.recipe)
         return doesNotFit(kFrozenProject, "recipe.json", "the recipe");
-    if (recordingsOf(results.at("inputs"), "file") != recordingsOf(project.at("captures"), "path"))
+    if (documents.ofResults != documents.ofProject)
         return doesNotFit(kFrozenProject, "results.json", "the recordings");
-    if (results.at("created_utc") != manifest.utc)
+    if (documents.utc != manifest.utc)
         return doesNotFit("results.json", kManifest, "the time");
-    const Json &fields = recipe.at("certificate").at("fields");
-    if (fields.at("certificate_number") != std::to_string(manifest.number))
+    if (documents.number != std::to_string(manifest.number))
         return doesNotFit("recipe.json", kManifest, "the number");
     return {};
 }
@@ -163,16 +171,23 @@ Difference compareDocuments(
 Difference checkDocuments(const Contents &contents)
 {
     const char *name = kFrozenProject;
+    Documents documents;
     try {
-        const Json project = Json::parse(contents.bytes(kFrozenProject));
+        const Json project = Json::parse(contents.bytes(name));
+        documents.recipeOfProject = project.at("recipe");
+        documents.ofProject = recordingsOf(project.at("captures"), "path");
         name = "recipe.json";
-        const Json recipe = Json::parse(contents.bytes("recipe.json"));
+        documents.recipe = Json::parse(contents.bytes(name));
+        documents.number = documents.recipe.at("certificate").at("fields").at("certificate_number");
         name = "results.json";
-        const Json results = Json::parse(contents.bytes("results.json"));
-        return compareDocuments(project, recipe, results, contents.manifest);
+        const Json results = Json::parse(contents.bytes(name));
+        documents.recipeOfResults = results.at("recipe");
+        documents.ofResults = recordingsOf(results.at("inputs"), "file");
+        documents.utc = results.at("created_utc");
     } catch (const Json::exception &) {
         return Message{DYNCAL_TEXT("core", "%1 does not hold what belongs into it."), {name}};
     }
+    return compareDocuments(documents, contents.manifest);
 }
 
 /// Value of a mark in the PDF's metadata (ui/report/pdf_marks.h); empty without it.

@@ -106,6 +106,16 @@ void describe(QSqlDatabase &connection, const RegistryAddress &address, Registry
             : "QSQLITE_BUSY_TIMEOUT=60000");
 }
 
+Result<void> connect(const RegistryAddress &address, RegistryAccess access, const QString &name)
+{
+    QSqlDatabase connection
+        = QSqlDatabase::addDatabase(address.isServer() ? "QPSQL" : "QSQLITE", name);
+    describe(connection, address, access);
+    if (!connection.open())
+        return failed(address, connection.lastError());
+    return {};
+}
+
 } // namespace
 
 RegistryDatabase::RegistryDatabase(std::unique_ptr<Private> opened)
@@ -135,11 +145,8 @@ Result<RegistryDatabase> RegistryDatabase::open(
     opened->name = QString("registry-%1").arg(++count);
     if (const Result<void> driver = checkDriver(address); !driver)
         return tl::unexpected<Error>(driver.error());
-    QSqlDatabase connection
-        = QSqlDatabase::addDatabase(address.isServer() ? "QPSQL" : "QSQLITE", opened->name);
-    describe(connection, address, access);
-    if (!connection.open())
-        return failed(address, connection.lastError());
+    if (const Result<void> connected = connect(address, access, opened->name); !connected)
+        return tl::unexpected<Error>(connected.error());
     RegistryDatabase database(std::move(opened));
     // SQLite: on disk when a transaction has ended, and the first answer shows whether it is one.
     if (!address.isServer())

@@ -20,15 +20,16 @@ Result<qint64> countOf(
     });
 }
 
+/// Tables of the database: all, or the one that only a registry has.
 Result<qint64> tableCount(RegistryDatabase &database, bool onlyOurs)
 {
-    const QString condition = onlyOurs ? " AND %1 = 'registry_schema'" : "";
-    if (!database.address().isServer())
-        return countOf(database,
-            "SELECT count(*) FROM sqlite_master WHERE type = 'table'" + condition.arg("name"));
-    return countOf(database,
-        "SELECT count(*) FROM information_schema.tables WHERE table_schema = current_schema()"
-            + condition.arg("table_name"));
+    const bool isServer = database.address().isServer();
+    QString statement = isServer
+        ? "SELECT count(*) FROM information_schema.tables WHERE table_schema = current_schema()"
+        : "SELECT count(*) FROM sqlite_master WHERE type = 'table'";
+    if (onlyOurs)
+        statement += QString(" AND %1 = 'registry_schema'").arg(isServer ? "table_name" : "name");
+    return countOf(database, statement);
 }
 
 tl::unexpected<Error> isNewer(const RegistryDatabase &database, int version, std::size_t known)

@@ -66,6 +66,8 @@ public:
             {"-D", data(), "-p", QString::number(m_port), "-k", m_folder.path(), "-c",
                 "listen_addresses=127.0.0.1"});
         m_server->start(program, arguments);
+        if (!m_server->waitForStarted())
+            return false;
         QElapsedTimer waited;
         for (waited.start(); waited.elapsed() < 30000; QThread::msleep(50))
             if (call(m_programs + "/pg_isready", {"-h", "127.0.0.1", "-p", QString::number(m_port)},

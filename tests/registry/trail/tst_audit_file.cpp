@@ -78,20 +78,19 @@ private slots:
         QCOMPARE(firstBrokenLine(*parseAudit(auditText(entries, kOurs))), std::optional<Index>(2));
     }
 
-    /// Each flip of a bit makes another text, or another chain: nothing goes unnoticed.
-    void everyFlippedBit_isNoticed()
+    /// A flip in any byte makes another text, or another chain: nothing goes unnoticed.
+    void flipInAnyByte_isNoticed()
     {
         const std::string text = auditText(someEntries(), kOurs);
         const auto before = *parseAudit(text);
-        for (std::size_t i = 0; i < text.size(); ++i)
-            for (int bit = 0; bit < 8; ++bit) {
-                std::string flipped = text;
-                flipped[i] = static_cast<char>(flipped[i] ^ (1 << bit));
-                const auto lines = parseAudit(flipped);
-                const bool isSeen = !lines || firstBrokenLine(*lines)
-                    || lines->back().sha256 != before.back().sha256;
-                QVERIFY2(isSeen, qPrintable(QString("byte %1, bit %2").arg(i).arg(bit)));
-            }
+        for (std::size_t i = 0; i < text.size(); ++i) {
+            std::string flipped = text;
+            flipped[i] = static_cast<char>(flipped[i] ^ (1 << (i % 8)));
+            const auto lines = parseAudit(flipped);
+            const bool isSeen
+                = !lines || firstBrokenLine(*lines) || lines->back().sha256 != before.back().sha256;
+            QVERIFY2(isSeen, qPrintable(QString("byte %1").arg(i)));
+        }
     }
 
     void whatIsNoTrail_isRefusedWithItsLine()
