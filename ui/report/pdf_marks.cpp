@@ -3,7 +3,7 @@
 
 #include "ui/report/pdf_marks.h"
 
-#include <QString>
+#include "ui/text/shown_text.h"
 
 namespace dyncal {
 
@@ -11,9 +11,9 @@ QByteArray metadataOf(const std::vector<std::pair<std::string, std::string>> &ma
 {
     QByteArray properties;
     for (const auto &[name, value] : marks) {
-        const QByteArray tag = "dyncal:" + QByteArray::fromStdString(name);
-        properties += "   <" + tag + ">" + QString::fromStdString(value).toHtmlEscaped().toUtf8()
-            + "</" + tag + ">\n";
+        const QByteArray tag = "dyncal:" + rawText(name).toUtf8();
+        properties
+            += "   <" + tag + ">" + rawText(value).toHtmlEscaped().toUtf8() + "</" + tag + ">\n";
     }
     return "<?xpacket begin=\"\xEF\xBB\xBF\" id=\"W5M0MpCehiHzreSzNTczkc9d\"?>\n"
            "<x:xmpmeta xmlns:x=\"adobe:ns:meta/\">\n"
