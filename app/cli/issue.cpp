@@ -13,6 +13,8 @@
 #include "core/base/foreign_text.h"
 #include "core/base/json_text.h"
 #include "core/issue/issue_obstacles.h"
+#include "registry/cards/card_filling.h"
+#include "registry/cards/card_register.h"
 
 #include <iostream>
 #include <memory>
@@ -40,14 +42,19 @@ Result<void> checkAmendment(const IssueOrder &order)
             {}});
 }
 
-/// Template and languages are the recipe's unless they are given.
+/// Template and languages are the recipe's unless they are given; what cards of the registry know
+/// and nobody has typed is filled in.
 Result<Recipe> chosen(Recipe recipe, const IssueOptions &options)
 {
     if (!options.templateName.empty())
         recipe.certificate.templateName = options.templateName;
     if (!options.languages.empty())
         recipe.certificate.languages = options.languages;
-    return parseRecipe(recipeJson(recipe)).map([&](const Recipe &) { return recipe; });
+    if (const Result<Recipe> valid = parseRecipe(recipeJson(recipe)); !valid)
+        return valid;
+    return cardsAt(options.order.registry).map([&](const std::vector<Card> &cards) {
+        return filledFromCards(recipe, cards);
+    });
 }
 
 int refuse(const Findings &obstacles, bool json)

@@ -3,7 +3,7 @@
 
 #include "registry/certificates/certificate_register.h"
 
-#include "core/base/version.h"
+#include "registry/certificates/certificate_table.h"
 #include "registry/store/registry_schema.h"
 #include "registry/store/trail_table.h"
 
@@ -17,26 +17,10 @@ using Records = std::vector<CertificateRecord>;
 /// Finding id of what is refused because it was issued already.
 constexpr const char *kIssuedAlready = "CER-006";
 
-std::string programText()
-{
-    return std::string("dyncal ").append(versionText()).append(" (build ").append(buildText())
-        + ')';
-}
-
 AuditEntry entryFor(const std::string &utc, const std::string &who, const char *action,
     const std::string &reason = {})
 {
     return {.utc = utc, .who = who, .action = action, .reason = reason, .program = programText()};
-}
-
-qint64 sqlNumber(Index number)
-{
-    return static_cast<qint64>(number);
-}
-
-QString sqlText(const std::string &text)
-{
-    return QString::fromStdString(text);
 }
 
 tl::unexpected<Error> wrongState(const CertificateRecord &record, const char *needed)
@@ -129,34 +113,15 @@ Result<CertificateRegister> CertificateRegister::openToRead(const std::string &t
     return CertificateRegister(std::move(*database));
 }
 
-Result<Records> CertificateRegister::selected(
-    const QString &where, const std::vector<QVariant> &values)
-{
-    const auto rows
-        = m_database.run("SELECT record FROM certificates " + where + " ORDER BY number", values);
-    if (!rows)
-        return tl::unexpected<Error>(rows.error());
-    Records records;
-    for (const auto &row : *rows) {
-        const auto record = parseRecord(row.front().toString().toStdString());
-        if (!record)
-            return fail(ErrorKind::FileUnreadable,
-                {DYNCAL_TEXT("core",
-                     "The registry %1 holds a row that is no certificate; see dyncal verify, and take a copy from before."),
-                    {m_database.address().shown()}});
-        records.push_back(*record);
-    }
-    return records;
-}
-
 Result<Records> CertificateRegister::all()
 {
-    return selected("", {});
+    return certificates(m_database);
 }
 
 Result<CertificateRecord> CertificateRegister::find(Index number)
 {
-    const Result<Records> found = selected("WHERE number = ?", {sqlNumber(number)});
+    const Result<Records> found
+        = certificates(m_database, "WHERE number = ?", {static_cast<qint64>(number)});
     if (!found)
         return tl::unexpected<Error>(found.error());
     if (found->empty())
@@ -167,43 +132,15 @@ Result<CertificateRecord> CertificateRegister::find(Index number)
     return found->front();
 }
 
-/// The entry and the row that it is of, which holds the place of the entry.
-Result<void> CertificateRegister::put(const std::optional<CertificateRecord> &before,
-    const CertificateRecord &after, AuditEntry entry)
-{
-    entry.object = certificateObject(after.number);
-    entry.before = before ? recordJson(*before) : "";
-    entry.after = recordJson(after);
-    const Result<AuditEntry> added = appendEntry(m_database, entry);
-    if (!added)
-        return tl::unexpected<Error>(added.error());
-    return m_database
-        .run("INSERT INTO certificates (number, state, job, job_sha256, record, entry) "
-             "VALUES (?, ?, ?, ?, ?, ?) ON CONFLICT (number) DO UPDATE SET state = excluded.state, "
-             "job = excluded.job, job_sha256 = excluded.job_sha256, record = excluded.record, "
-             "entry = excluded.entry",
-            {sqlNumber(after.number), sqlText(certificateStateName(after.state)),
-                sqlText(after.job), sqlText(after.jobSha256), sqlText(added->after),
-                sqlNumber(added->sequence)})
-        .map([](const auto &) {});
-}
-
 Result<CertificateRecord> CertificateRegister::newNumber(const NumberRequest &request)
 {
-    const auto raised
-        = m_database.run("UPDATE counters SET last = last + 1 WHERE name = 'certificates'");
-    const auto counter
-        = raised ? m_database.run("SELECT last FROM counters WHERE name = 'certificates'") : raised;
-    if (!counter || counter->empty())
-        return counter ? fail(ErrorKind::FileUnreadable,
-                   {DYNCAL_TEXT(
-                        "core", "The registry %1 has lost its counter; take a copy from before."),
-                       {m_database.address().shown()}})
-                       : tl::unexpected<Error>(counter.error());
-    const CertificateRecord record = requested(request, counter->front().front().toLongLong());
-    return put({}, record, entryFor(request.utc, request.by, "reserved", request.reason)).map([&] {
-        return record;
-    });
+    const Result<Index> number = nextNumber(m_database);
+    if (!number)
+        return tl::unexpected<Error>(number.error());
+    const CertificateRecord record = requested(request, *number);
+    return putCertificate(
+        m_database, {}, record, entryFor(request.utc, request.by, "reserved", request.reason))
+        .map([&] { return record; });
 }
 
 /// A reserved number for what its job is now.
@@ -218,7 +155,8 @@ Result<CertificateRecord> CertificateRegister::takenOver(const NumberRequest &re
                  "Number %1 is %2 and not reserved for these recordings; leave --number out, and the job gets its own."),
                 {std::to_string(before->number), certificateStateName(before->state)}});
     const CertificateRecord after = requested(request, request.number);
-    return put(*before, after, entryFor(request.utc, request.by, "reserved", request.reason))
+    return putCertificate(
+        m_database, *before, after, entryFor(request.utc, request.by, "reserved", request.reason))
         .map([&] { return after; });
 }
 
@@ -244,7 +182,8 @@ Result<void> CertificateRegister::checkAmended(Index number, Index by)
 
 Result<void> CertificateRegister::checkFree(const NumberRequest &request)
 {
-    const Result<Records> ofJob = selected("WHERE job = ?", {sqlText(request.job)});
+    const Result<Records> ofJob
+        = certificates(m_database, "WHERE job = ?", {QString::fromStdString(request.job)});
     if (!ofJob)
         return tl::unexpected<Error>(ofJob.error());
     for (const CertificateRecord &record : *ofJob) {
@@ -280,7 +219,8 @@ Result<ReservedNumber> CertificateRegister::withTrail(CertificateRecord record)
 
 Result<ReservedNumber> CertificateRegister::reserveNow(const NumberRequest &request)
 {
-    const Result<Records> ofJob = selected("WHERE job = ?", {sqlText(request.job)});
+    const Result<Records> ofJob
+        = certificates(m_database, "WHERE job = ?", {QString::fromStdString(request.job)});
     if (!ofJob)
         return tl::unexpected<Error>(ofJob.error());
     if (const CertificateRecord *same = sameJob(*ofJob, request.jobSha256)) {
@@ -334,8 +274,8 @@ Result<CertificateRecord> CertificateRegister::markIssued(
         issued.state = issued.amends > 0 ? CertificateState::Amended : CertificateState::Issued;
         issued.files = files;
         issued.issuedUtc = utc;
-        if (const Result<void> done
-            = put(*before, issued, entryFor(utc, issued.by, certificateStateName(issued.state)));
+        if (const Result<void> done = putCertificate(m_database, *before, issued,
+                entryFor(utc, issued.by, certificateStateName(issued.state)));
             !done || issued.amends == 0)
             return done;
         const Result<CertificateRecord> old = find(issued.amends);
@@ -344,7 +284,8 @@ Result<CertificateRecord> CertificateRegister::markIssued(
         CertificateRecord replaced = *old;
         replaced.state = CertificateState::Replaced;
         replaced.replacedBy = number;
-        return put(*old, replaced, entryFor(utc, issued.by, "replaced", issued.reason));
+        return putCertificate(
+            m_database, *old, replaced, entryFor(utc, issued.by, "replaced", issued.reason));
     };
     const Result<void> done = m_database.transaction(work);
     return done ? Result<CertificateRecord>(issued) : tl::unexpected<Error>(done.error());
@@ -364,7 +305,7 @@ Result<CertificateRecord> CertificateRegister::moved(
         after = *before;
         after.state = to;
         after.reason = entry.reason;
-        return put(*before, after, entry);
+        return putCertificate(m_database, *before, after, entry);
     });
     return done ? Result<CertificateRecord>(after) : tl::unexpected<Error>(done.error());
 }

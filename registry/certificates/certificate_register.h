@@ -86,10 +86,6 @@ private:
     Result<CertificateRecord> newNumber(const NumberRequest &request);
     Result<CertificateRecord> takenOver(const NumberRequest &request);
     Result<ReservedNumber> withTrail(CertificateRecord record);
-    Result<void> put(const std::optional<CertificateRecord> &before, const CertificateRecord &after,
-        AuditEntry entry);
-    Result<std::vector<CertificateRecord>> selected(
-        const QString &where, const std::vector<QVariant> &values);
     Result<CertificateRecord> moved(Index number, CertificateState to, AuditEntry entry);
 
     RegistryDatabase m_database;

@@ -5,8 +5,15 @@
 
 #include "core/base/content_hash.h"
 #include "core/base/json_text.h"
+#include "core/base/version.h"
 
 namespace dyncal {
+
+std::string programText()
+{
+    return std::string("dyncal ").append(versionText()).append(" (build ").append(buildText())
+        + ')';
+}
 
 const std::string kNoEntry(kSha256Digits, '0');
 

@@ -31,6 +31,9 @@ struct AuditEntry
     bool operator==(const AuditEntry &) const = default;
 };
 
+/// The program that writes an entry: "dyncal 0.1.0 (build ...)".
+std::string programText();
+
 /// What stands before the first entry.
 extern const std::string kNoEntry;
 
