@@ -8872,6 +8872,14 @@ steget</translation>
         <source>Line %1 of audit.jsonl is no entry of an audit trail; take an unchanged copy.</source>
         <translation>Rad %1 i audit.jsonl är ingen post i en händelselogg; ta en oförändrad kopia.</translation>
     </message>
+    <message>
+        <source>Line %1 of the table of cards cannot be used: %2; correct it, nothing was changed.</source>
+        <translation>Rad %1 i tabellen med kort kan inte användas: %2; rätta den, inget har ändrats.</translation>
+    </message>
+    <message>
+        <source>The registry %1 holds a row that is no card; see dyncal verify, and take a copy from before.</source>
+        <translation>Registret %1 innehåller en rad som inte är något kort; se dyncal verify, och ta en tidigare kopia.</translation>
+    </message>
 </context>
 <context>
     <name>dyncal::ArrivalPanel</name>

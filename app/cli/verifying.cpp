@@ -185,9 +185,13 @@ std::vector<std::string> foldersBelow(const std::string &folder)
     if (fs::exists(fs::path(folder) / kManifest, ignored))
         return {folder};
     for (fs::recursive_directory_iterator entry(folder, ignored), end; entry != end;
-         entry.increment(ignored))
-        if (entry->path().filename() == kManifest)
+         entry.increment(ignored)) {
+        const std::string name = entry->path().filename().string();
+        if (name.starts_with('.')) // what is just being written
+            entry.disable_recursion_pending();
+        else if (name == kManifest)
             found.push_back(entry->path().parent_path().string());
+    }
     std::ranges::sort(found);
     return found;
 }

@@ -30,6 +30,13 @@ tl::unexpected<Error> wrongState(const CertificateRecord &record, const char *ne
             {std::to_string(record.number), certificateStateName(record.state), needed}});
 }
 
+tl::unexpected<Error> hasAnother(const CertificateRecord &record)
+{
+    return fail(ErrorKind::Usage,
+        {DYNCAL_TEXT("core", "This job has number %1 already, which is %2; leave --number out."),
+            {std::to_string(record.number), certificateStateName(record.state)}});
+}
+
 tl::unexpected<Error> reservedBefore(const CertificateRecord &record)
 {
     return fail(ErrorKind::Usage,
@@ -224,6 +231,8 @@ Result<ReservedNumber> CertificateRegister::reserveNow(const NumberRequest &requ
     if (!ofJob)
         return tl::unexpected<Error>(ofJob.error());
     if (const CertificateRecord *same = sameJob(*ofJob, request.jobSha256)) {
+        if (request.number > 0 && request.number != same->number)
+            return hasAnother(*same);
         if (same->state != CertificateState::Reserved && !isInForce(same->state))
             return wrongState(*same, "issued");
         return withTrail(*same);
@@ -265,6 +274,9 @@ Result<CertificateRecord> CertificateRegister::markIssued(
         const Result<CertificateRecord> before = find(number);
         if (!before)
             return tl::unexpected<Error>(before.error());
+        issued = *before;
+        if (isInForce(before->state) && before->files == files)
+            return {}; // by another program, or by this one before it lost the connection
         if (before->state != CertificateState::Reserved)
             return wrongState(*before, "reserved");
         const Result<ReservedNumber> reserved = withTrail(*before);

@@ -60,7 +60,7 @@ public:
     Result<ReservedNumber> reserve(const NumberRequest &request);
 
     /// The files of a reserved number lie where they belong: from now on it is issued, and what it
-    /// amends is replaced. `files`: SHA-256 by name.
+    /// amends is replaced. `files`: SHA-256 by name. Again with the same files it changes nothing.
     Result<CertificateRecord> markIssued(
         Index number, const std::map<std::string, std::string> &files, const std::string &utc);
 

@@ -15,6 +15,8 @@
 #include <atomic>
 #include <filesystem>
 
+#include <unistd.h>
+
 namespace dyncal {
 
 struct RegistryDatabase::Private
@@ -89,6 +91,13 @@ Result<void> checkDriver(const RegistryAddress &address)
                 address.isServer() ? "libqt6sql6-psql" : "libqt6sql6-sqlite"}});
 }
 
+/// Whether what a killed program left of a transaction may be undone by reading: without that the
+/// file could not be read.
+bool mayRecover(const std::string &file)
+{
+    return ::access(file.c_str(), W_OK) == 0 && networkFileSystemOf(file).empty();
+}
+
 void describe(QSqlDatabase &connection, const RegistryAddress &address, RegistryAccess access)
 {
     if (address.isServer()) {
@@ -101,7 +110,7 @@ void describe(QSqlDatabase &connection, const RegistryAddress &address, Registry
         return;
     }
     connection.setDatabaseName(QString::fromStdString(address.file));
-    connection.setConnectOptions(access == RegistryAccess::Read
+    connection.setConnectOptions(access == RegistryAccess::Read && !mayRecover(address.file)
             ? "QSQLITE_BUSY_TIMEOUT=60000;QSQLITE_OPEN_READONLY"
             : "QSQLITE_BUSY_TIMEOUT=60000");
 }
@@ -149,8 +158,10 @@ Result<RegistryDatabase> RegistryDatabase::open(
         return tl::unexpected<Error>(connected.error());
     RegistryDatabase database(std::move(opened));
     // SQLite: on disk when a transaction has ended, and the first answer shows whether it is one.
+    const char *mode
+        = access == RegistryAccess::Read ? "PRAGMA query_only = ON" : "PRAGMA synchronous = EXTRA";
     if (!address.isServer())
-        if (const auto set = database.run("PRAGMA synchronous = EXTRA"); !set)
+        if (const auto set = database.run(mode); !set)
             return tl::unexpected<Error>(set.error());
     return database;
 }

@@ -28,7 +28,7 @@ INCLUDE = re.compile(r'#include "([^"]+)"')
 MOST_FILE_LINES = 450
 MOST_FUNCTION_LINES = 60
 MOST_CORE_MEDIAN = 8
-LEAST_TESTS = {"core": 0.95, "registry": 0.95, "ui": 0.5}
+LEAST_TESTS = {"core": 0.95, "registry": 0.75, "ui": 0.5}
 LEAST_TESTS_OF_ROOM = {"core": 0.75}
 LEAST_TESTS_OF = {"ui/stages": 0.4}
 

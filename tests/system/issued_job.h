@@ -32,9 +32,10 @@ inline QJsonObject completeRecipe()
     return {{"schema", "dyncal-recipe/1"},
         {"uncertainty",
             QJsonObject{{"budget",
-                QJsonArray{reference("p1_pa", 50.0), reference("t1_k", 0.2),
-                    reference("distance_m", 2e-4), reference("gain_relative", 1e-3),
-                    reference("clock_relative", 1e-5)}}}},
+                            QJsonArray{reference("p1_pa", 50.0), reference("t1_k", 0.2),
+                                reference("distance_m", 2e-4), reference("gain_relative", 1e-3),
+                                reference("clock_relative", 1e-5)}},
+                {"monte_carlo_trials", 100}}},
         {"certificate", QJsonObject{{"fields", completeFields()}}}};
 }
 

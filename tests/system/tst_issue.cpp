@@ -55,6 +55,7 @@ private slots:
     void singleFiles_areKnown();
     void killedAtAnyMoment_goesOn();
     void placesThatCannotBeWritten_keepTheNumber();
+    void fullDisk_atEveryWrite_keepsTheNumber();
     void recheck_takesIssuedFolders();
     void wrongUsage_isSaid();
 };
@@ -72,17 +73,17 @@ void TestIssue::issued_isFrozenNumberedAndVerified()
              "audit.jsonl", "manifest.json"})
         QVERIFY2(QFile::exists(folder + '/' + name), name);
     const QJsonObject fields
-        = fileJson(folder + "/recipe.json")["certificate"]["fields"].toObject();
+        = fileJson(folder + "/recipe.json")["certificate"].toObject()["fields"].toObject();
     QCOMPARE(fields["certificate_number"].toString(), "1");
     QCOMPARE(fields["date_issued"].toString(), "2026-01-01");
     const Answer verified = job.verify({folder, job.registry()});
     QVERIFY2(verified.exitCode == 1, verified.out);
     const QJsonArray rows = QJsonDocument::fromJson(verified.out).array();
-    QCOMPARE(rows[0]["status"].toString(), "unsigned");
-    QCOMPARE(rows[0]["state"].toString(), "issued");
-    QCOMPARE(rows[0]["chain"]["head"], answer.json()["head"]);
-    QCOMPARE(rows[1]["kind"].toString(), "registry");
-    QCOMPARE(rows[1]["status"].toString(), "valid");
+    QCOMPARE(rows[0].toObject()["status"].toString(), "unsigned");
+    QCOMPARE(rows[0].toObject()["state"].toString(), "issued");
+    QCOMPARE(rows[0].toObject()["chain"].toObject()["head"], answer.json()["head"]);
+    QCOMPARE(rows[1].toObject()["kind"].toString(), "registry");
+    QCOMPARE(rows[1].toObject()["status"].toString(), "valid");
     QProcess text;
     text.start("pdftotext", {"-layout", folder + "/certificate.pdf", "-"});
     QVERIFY(text.waitForFinished());
@@ -110,7 +111,7 @@ void TestIssue::everyObstacle_isNamed_data()
     };
     const auto withReference = [](int place, const QString &key, const QJsonValue &value) {
         QJsonObject recipe = completeRecipe();
-        QJsonArray budget = recipe["uncertainty"]["budget"].toArray();
+        QJsonArray budget = recipe["uncertainty"].toObject()["budget"].toArray();
         QJsonObject entry = budget[place].toObject();
         entry[key] = value;
         budget[place] = entry;
@@ -258,8 +259,8 @@ void TestIssue::changed_needsAnAmendment()
     QVERIFY2(amended.exitCode == 0, amended.err);
     QCOMPARE(amended.json()["state"].toString(), "amended");
     const QJsonArray numbers = job.numbers();
-    QCOMPARE(numbers[0]["state"].toString(), "replaced");
-    QCOMPARE(numbers[1]["amends"].toInt(), 1);
+    QCOMPARE(numbers[0].toObject()["state"].toString(), "replaced");
+    QCOMPARE(numbers[1].toObject()["amends"].toInt(), 1);
     QProcess text;
     text.start("pdftotext", {"-layout", job.output() + "/2/certificate.pdf", "-"});
     QVERIFY(text.waitForFinished());
@@ -364,7 +365,7 @@ void TestIssue::killedAtAnyMoment_goesOn()
     }
     QVERIFY(job.issue().exitCode == 0);
     QCOMPARE(job.numbers().size(), 1);
-    QCOMPARE(job.numbers()[0]["state"].toString(), "issued");
+    QCOMPARE(job.numbers()[0].toObject()["state"].toString(), "issued");
     QCOMPARE(QDir(job.output()).entryList(QDir::AllEntries | QDir::Hidden | QDir::NoDotAndDotDot),
         QStringList{"1"});
     QCOMPARE(job.verify({job.output(), job.registry()}).exitCode, 1);
@@ -378,10 +379,41 @@ void TestIssue::placesThatCannotBeWritten_keepTheNumber()
     const Answer refused = job.issue();
     QVERIFY(refused.exitCode == 4 || refused.exitCode == 5);
     QCOMPARE(refused.complaints().size(), 1);
-    QCOMPARE(job.numbers()[0]["state"].toString(), "reserved");
+    QCOMPARE(job.numbers()[0].toObject()["state"].toString(), "reserved");
     QVERIFY(QFile::remove(job.output()));
     QCOMPARE(job.issue().json()["number"].toInt(), 1);
     QCOMPARE(job.numbers().size(), 1);
+}
+
+/// The disk is full from the k-th write on (system/full_disk), for k up to the one that no longer
+/// fails: one sentence each time, the registry stays whole, and then all is as if nothing had been.
+void TestIssue::fullDisk_atEveryWrite_keepsTheNumber()
+{
+    const IssuedJob job;
+    QVERIFY(job.begin(recording()));
+    const int step = dyncal::trials::count(9, 1);
+    int failed = 0;
+    for (int from = 0;; from += step) {
+        const Answer answer = job.issue({},
+            {"SOURCE_DATE_EPOCH=1767225600", "ASAN_OPTIONS=detect_leaks=0:verify_asan_link_order=0",
+                "LD_PRELOAD=" + qEnvironmentVariable("DYNCAL_FULL_DISK"),
+                "DYNCAL_FULL_FROM=" + QString::number(from)});
+        if (answer.exitCode == 0)
+            break;
+        ++failed;
+        const QByteArray about = QByteArray::number(from) + ": " + answer.err;
+        QVERIFY2(answer.exitCode == 4 || answer.exitCode == 5, about);
+        QVERIFY2(answer.complaints().size() == 1, about);
+        if (QFile::exists(job.registry()) && QFileInfo(job.registry()).size() > 0)
+            QVERIFY2(runDyncal({"verify", job.registry()}).exitCode == 0 || job.numbers().isEmpty(),
+                about);
+    }
+    QVERIFY2(failed > 0, "no write was refused");
+    QCOMPARE(job.issue().json()["number"].toInt(), 1);
+    QCOMPARE(job.numbers().size(), 1);
+    QCOMPARE(QDir(job.output()).entryList(QDir::AllEntries | QDir::Hidden | QDir::NoDotAndDotDot),
+        QStringList{"1"});
+    QCOMPARE(job.verify({job.output(), job.registry()}).exitCode, 1);
 }
 
 void TestIssue::recheck_takesIssuedFolders()

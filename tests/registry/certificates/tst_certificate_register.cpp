@@ -87,6 +87,19 @@ private slots:
         QCOMPARE(lab.registry.all()->size(), 1U);
     }
 
+    /// The answer of the first time may have been lost with the connection.
+    void issuedTwice_isIssuedOnce()
+    {
+        Laboratory lab;
+        QVERIFY(lab.registry.reserve(numberRequest("a")));
+        const auto first = lab.registry.markIssued(1, {{"a", "1"}}, kNoon);
+        const auto again = lab.registry.markIssued(1, {{"a", "1"}}, "2027-01-01T00:00:00Z");
+        QVERIFY(again);
+        QCOMPARE(*again, *first);
+        QVERIFY(!lab.registry.markIssued(1, {{"a", "2"}}, kNoon));
+        QCOMPARE(allEntries(lab.registry.database())->size(), 2U);
+    }
+
     void headAndTrail_areThoseBeforeIssuing()
     {
         Laboratory lab;
@@ -132,6 +145,9 @@ private slots:
         NumberRequest wrong = numberRequest("b");
         wrong.number = 1;
         QVERIFY(whyNot(lab.registry.reserve(wrong)).starts_with("Number 1 is reserved and not"));
+        NumberRequest own = numberRequest("a");
+        own.number = 2;
+        QVERIFY(whyNot(lab.registry.reserve(own)).starts_with("This job has number 1 already"));
         wrong.number = 7;
         QVERIFY(
             whyNot(lab.registry.reserve(wrong)).find("has no certificate 7") != std::string::npos);
