@@ -14,8 +14,9 @@ set(rooms_of_core base base/writing capture
     signal shock reference decomposition
     realization/exponentials realization/input realization/hankel realization/refinement
     realization/nuisance realization/second_order realization/model realization/order
-    model_analysis consistency uncertainty monte_carlo project pipeline certificate results batch correction
+    model_analysis consistency uncertainty monte_carlo project pipeline certificate results issue batch correction
     recheck synthesis selftest)
+set(rooms_of_registry trail store cards certificates issued)
 set(rooms_of_ui text session plot/values plot/curves plot/qcp plot/widget report
     stages/frame stages/candidates stages/shock stages/window stages/spectrum stages/model
     stages/order stages/uncertainty stages/comparison stages
@@ -43,7 +44,7 @@ foreach(file IN LISTS core_files)
     file(STRINGS "${ROOT}/${file}" includes REGEX "^#include")
     foreach(line IN LISTS includes)
         check_room(core "${file}" "${line}")
-        if(line MATCHES "<Q|[\"<](ui|app|tests)/|qcustomplot")
+        if(line MATCHES "<Q|[\"<](registry|ui|app|tests)/|qcustomplot")
             list(APPEND errors "${file}: ${line}: core must know nothing of Qt, ui and app")
         endif()
         if(line MATCHES "\"core/capture/formats/"
@@ -52,6 +53,18 @@ foreach(file IN LISTS core_files)
         endif()
         if(line MATCHES "Eigen/SVD" AND NOT file STREQUAL "core/base/svd.cpp")
             list(APPEND errors "${file}: ${line}: SVD code belongs to core/base/svd.cpp (compile time)")
+        endif()
+    endforeach()
+endforeach()
+
+file(GLOB_RECURSE registry_files RELATIVE "${ROOT}" "${ROOT}/registry/*.h"
+    "${ROOT}/registry/*.cpp")
+foreach(file IN LISTS registry_files)
+    file(STRINGS "${ROOT}/${file}" includes REGEX "^#include")
+    foreach(line IN LISTS includes)
+        check_room(registry "${file}" "${line}")
+        if(line MATCHES "[\"<](ui|app|tests)/|<(QApplication|QWidget|QtGui|QtWidgets)")
+            list(APPEND errors "${file}: ${line}: the registry knows core, Qt Core and Qt Sql only")
         endif()
     endforeach()
 endforeach()

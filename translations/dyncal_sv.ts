@@ -3394,6 +3394,10 @@ steget</translation>
         <source>End of the report</source>
         <translation>Slut på rapporten</translation>
     </message>
+    <message>
+        <source>Issued, not signed</source>
+        <translation>Utfärdat, inte undertecknat</translation>
+    </message>
 </context>
 <context>
     <name>ShockBudget</name>
@@ -8692,6 +8696,278 @@ steget</translation>
         <source>%1 of %2 refits of simulated records is %3 times as uncertain as the model&apos;s covariance has it, and %4 of that u apart: the stated uncertainties of the model&apos;s values do not hold. Choose a lower order, or record with less noise.</source>
         <translation>%1 från %2 nya anpassningar till simulerade registreringar är %3 gånger så osäker som modellens kovarians anger, och skiljer sig med %4 av detta u: de angivna osäkerheterna för modellens värden håller inte. Välj en lägre ordning eller spela in med mindre brus.</translation>
     </message>
+    <message>
+        <source>Shot %1: the stretch to be corrected has %2 samples of channel %3; it needs 1 to %4 (--window BEGIN,END in seconds of the recording).</source>
+        <translation>Skott %1: sträckan som ska korrigeras har %2 sampel av kanal %3; den behöver 1 till %4 (--window BEGIN,END i inspelningens sekunder).</translation>
+    </message>
+    <message>
+        <source>E_n of 512 and 509, u = 0.75</source>
+        <translation>E_n för 512 och 509, u = 0.75</translation>
+    </message>
+    <message>
+        <source>An amendment needs both --amends NUMBER and --reason TEXT, which says what changed.</source>
+        <translation>En ändring kräver både --amends NUMMER och --reason TEXT, som säger vad som har ändrats.</translation>
+    </message>
+    <message>
+        <source>This job was issued as certificate %1, and %2 does not hold it; name the folder that does (-o), or issue an amendment by --amends %1 --reason TEXT.</source>
+        <translation>Detta jobb har utfärdats som bevis %1, och %2 innehåller det inte; ange mappen som gör det (-o), eller utfärda en ändring med --amends %1 --reason TEXT.</translation>
+    </message>
+    <message>
+        <source>The recordings were not looked for (--recordings DIR).</source>
+        <translation>Registreringarna eftersöktes inte (--recordings MAPP).</translation>
+    </message>
+    <message>
+        <source>A single file can be verified with the registry only; name it (--registry), or the folder of the certificate.</source>
+        <translation>En enskild fil kan bara kontrolleras mot registret; ange det (--registry), eller bevisets mapp.</translation>
+    </message>
+    <message>
+        <source>The registry knows no certificate with this file.</source>
+        <translation>Registret känner inget bevis med denna fil.</translation>
+    </message>
+    <message>
+        <source>Replaces</source>
+        <translation>Ersätter</translation>
+    </message>
+    <message>
+        <source>certificate %1, which is no longer valid; what changed: %2</source>
+        <translation>kalibreringsbevis %1, som inte längre gäller; vad som har ändrats: %2</translation>
+    </message>
+    <message>
+        <source>Issue</source>
+        <translation>Utfärdande</translation>
+    </message>
+    <message>
+        <source>State</source>
+        <translation>Status</translation>
+    </message>
+    <message>
+        <source>issued, not signed</source>
+        <translation>utfärdat, inte undertecknat</translation>
+    </message>
+    <message>
+        <source>issued as an amendment, not signed</source>
+        <translation>utfärdat som ändring, inte undertecknat</translation>
+    </message>
+    <message>
+        <source>Audit trail before issuing (SHA-256)</source>
+        <translation>Händelselogg före utfärdandet (SHA-256)</translation>
+    </message>
+    <message>
+        <source>SHA-256 of results.json</source>
+        <translation>SHA-256 för results.json</translation>
+    </message>
+    <message>
+        <source>dyncal verify holds this page, the files beside it and the laboratory&apos;s registry against each other.</source>
+        <translation>dyncal verify jämför denna sida, filerna bredvid den och laboratoriets register med varandra.</translation>
+    </message>
+    <message>
+        <source>The references that the results are traceable by stand with their certificates in the section &quot;Method&quot;.</source>
+        <translation>Referenserna som resultaten är spårbara till står med sina certifikat i avsnittet &quot;Metod&quot;.</translation>
+    </message>
+    <message>
+        <source>%1 required fields are empty or wrong: %2; fill them in (certificate.fields of the recipe).</source>
+        <translation>%1 obligatoriska fält är tomma eller fel: %2; fyll i dem (certificate.fields i receptet).</translation>
+    </message>
+    <message>
+        <source>The certificate of a reference ended before the measurement (%1); state the certificate that held then.</source>
+        <translation>En referens certifikat gick ut före mätningen (%1); ange det certifikat som gällde då.</translation>
+    </message>
+    <message>
+        <source>%1 cautions need a reason before the certificate is issued: %2; look at each and say why it is accepted (acknowledge).</source>
+        <translation>%1 varningar behöver en motivering innan beviset utfärdas: %2; granska var och en och säg varför den godtas (acknowledge).</translation>
+    </message>
+    <message>
+        <source>The profile %1 demands a second person, and the review is by &quot;%2&quot;, the issue by &quot;%3&quot;; name another one (--reviewed-by).</source>
+        <translation>Profilen %1 kräver en andra person, och granskningen är gjord av &quot;%2&quot;, utfärdandet av &quot;%3&quot;; ange någon annan (--reviewed-by).</translation>
+    </message>
+    <message>
+        <source>No uncertainty was computed, so there is nothing to state; run the job to its end.</source>
+        <translation>Ingen osäkerhet har beräknats, så det finns inget att ange; kör jobbet till slut.</translation>
+    </message>
+    <message>
+        <source>Reported quantities lack their complete uncertainty: %1; state what the budget of each lacks (docs/method/uncertainty.md).</source>
+        <translation>Redovisade storheter saknar sin fullständiga osäkerhet: %1; ange det som saknas i budgeten för var och en (docs/method/uncertainty.md).</translation>
+    </message>
+    <message>
+        <source>No certificate of a reference is named for %1, so the results are not traceable; state it in uncertainty.budget (&quot;certificate&quot;, &quot;due&quot;).</source>
+        <translation>Inget certifikat för en referens är angivet för %1, så resultaten är inte spårbara; ange det i uncertainty.budget (&quot;certificate&quot;, &quot;due&quot;).</translation>
+    </message>
+    <message>
+        <source>The profile %1 needs &quot;issue&quot; as an object with &quot;second_name&quot; true or false.</source>
+        <translation>Profilen %1 behöver &quot;issue&quot; som ett objekt med &quot;second_name&quot; true eller false.</translation>
+    </message>
+    <message>
+        <source>Certificate %1 is %2; only one that is %3 can be used for this.</source>
+        <translation>Bevis %1 är %2; bara ett som är %3 kan användas till detta.</translation>
+    </message>
+    <message>
+        <source>Number %1 is reserved for an earlier state of this job, which was not issued; go on with it by --number %1, or give it up by dyncal registry void %1 --reason TEXT.</source>
+        <translation>Nummer %1 är reserverat för ett tidigare skick av detta jobb, som inte utfärdades; fortsätt med det genom --number %1, eller ge upp det med dyncal registry void %1 --reason TEXT.</translation>
+    </message>
+    <message>
+        <source>These recordings have certificate %1, which is never changed; issue an amendment by --amends %1 --reason TEXT.</source>
+        <translation>Dessa registreringar har bevis %1, som aldrig ändras; utfärda en ändring med --amends %1 --reason TEXT.</translation>
+    </message>
+    <message>
+        <source>A name (--by) and a reason (--reason) are needed for the audit trail.</source>
+        <translation>Ett namn (--by) och en motivering (--reason) behövs för händelseloggen.</translation>
+    </message>
+    <message>
+        <source>The registry %1 holds a row that is no certificate; see dyncal verify, and take a copy from before.</source>
+        <translation>Registret %1 innehåller en rad som inte är något bevis; se dyncal verify, och ta en tidigare kopia.</translation>
+    </message>
+    <message>
+        <source>The registry %1 has no certificate %2; see dyncal registry list.</source>
+        <translation>Registret %1 har inget bevis %2; se dyncal registry list.</translation>
+    </message>
+    <message>
+        <source>The registry %1 has lost its counter; take a copy from before.</source>
+        <translation>Registret %1 har förlorat sin räknare; ta en tidigare kopia.</translation>
+    </message>
+    <message>
+        <source>Number %1 is %2 and not reserved for these recordings; leave --number out, and the job gets its own.</source>
+        <translation>Nummer %1 är %2 och inte reserverat för dessa registreringar; utelämna --number, så får jobbet ett eget.</translation>
+    </message>
+    <message>
+        <source>Certificate %1 is being amended by number %2, which is reserved; finish that, or give it up by dyncal registry void %2 --reason TEXT.</source>
+        <translation>Bevis %1 håller på att ändras av nummer %2, som är reserverat; slutför det, eller ge upp det med dyncal registry void %2 --reason TEXT.</translation>
+    </message>
+    <message>
+        <source>The registry %1 has no entry of the audit trail about certificate %2; see dyncal verify.</source>
+        <translation>Registret %1 har ingen post i händelseloggen om bevis %2; se dyncal verify.</translation>
+    </message>
+    <message>
+        <source>The database is damaged (%1).</source>
+        <translation>Databasen är skadad (%1).</translation>
+    </message>
+    <message>
+        <source>A table is not as the program makes it (%1).</source>
+        <translation>En tabell är inte sådan som programmet gör den (%1).</translation>
+    </message>
+    <message>
+        <source>A table is missing (%1).</source>
+        <translation>En tabell saknas (%1).</translation>
+    </message>
+    <message>
+        <source>The version of the tables is not %1.</source>
+        <translation>Tabellernas version är inte %1.</translation>
+    </message>
+    <message>
+        <source>The audit trail is broken at entry %1: it was changed, or an entry before it is missing.</source>
+        <translation>Händelseloggen är bruten vid post %1: den har ändrats, eller en post före den saknas.</translation>
+    </message>
+    <message>
+        <source>Entry %1 of the audit trail does not begin where the entry before about %2 ended.</source>
+        <translation>Post %1 i händelseloggen börjar inte där den förra posten om %2 slutade.</translation>
+    </message>
+    <message>
+        <source>The row of %1 is not what the audit trail says of it.</source>
+        <translation>Raden för %1 är inte vad händelseloggen säger om den.</translation>
+    </message>
+    <message>
+        <source>The counter of the certificates is not at %1, the last number that was given.</source>
+        <translation>Bevisens räknare står inte på %1, det senast givna numret.</translation>
+    </message>
+    <message>
+        <source>The row of %1 is missing.</source>
+        <translation>Raden för %1 saknas.</translation>
+    </message>
+    <message>
+        <source>%1 cannot be read as an issued certificate: its manifest.json is missing or changed; take an unchanged copy of the folder.</source>
+        <translation>%1 kan inte läsas som ett utfärdat bevis: dess manifest.json saknas eller har ändrats; ta en oförändrad kopia av mappen.</translation>
+    </message>
+    <message>
+        <source>%1 is missing.</source>
+        <translation>%1 saknas.</translation>
+    </message>
+    <message>
+        <source>%1 is not the file that was issued (another SHA-256).</source>
+        <translation>%1 är inte den fil som utfärdades (annat SHA-256).</translation>
+    </message>
+    <message>
+        <source>%1 does not belong to the certificate: the manifest lacks it.</source>
+        <translation>%1 hör inte till beviset: den saknas i manifestet.</translation>
+    </message>
+    <message>
+        <source>The chain of audit.jsonl is broken at line %1.</source>
+        <translation>Kedjan i audit.jsonl är bruten på rad %1.</translation>
+    </message>
+    <message>
+        <source>audit.jsonl does not end with the entry that the certificate names.</source>
+        <translation>audit.jsonl slutar inte med den post som beviset anger.</translation>
+    </message>
+    <message>
+        <source>%1 and %2 do not say the same of %3.</source>
+        <translation>%1 och %2 säger inte detsamma (%3).</translation>
+    </message>
+    <message>
+        <source>%1 does not hold what belongs into it.</source>
+        <translation>%1 innehåller inte det som hör dit.</translation>
+    </message>
+    <message>
+        <source>By the registry certificate %1 was not issued: the number is %2.</source>
+        <translation>Enligt registret har bevis %1 inte utfärdats: numret är %2.</translation>
+    </message>
+    <message>
+        <source>Certificate %1 is withdrawn: %2</source>
+        <translation>Bevis %1 är återkallat: %2</translation>
+    </message>
+    <message>
+        <source>Certificate %1 is replaced by %2.</source>
+        <translation>Bevis %1 är ersatt av %2.</translation>
+    </message>
+    <message>
+        <source>No registry was given: the folder agrees with itself, and whether it is what was issued is not known.</source>
+        <translation>Inget register angavs: mappen stämmer med sig själv, och om den är vad som utfärdades är inte känt.</translation>
+    </message>
+    <message>
+        <source>%1 is there already and does not belong to this certificate; give another folder (-o), or move that one. The number %2 stays reserved.</source>
+        <translation>%1 finns redan och hör inte till detta bevis; ange en annan mapp (-o), eller flytta den. Numret %2 förblir reserverat.</translation>
+    </message>
+    <message>
+        <source>%1 is no registry; name a file, or a database as postgresql://USER@HOST:PORT/DATABASE.</source>
+        <translation>%1 är inget register; ange en fil, eller en databas som postgresql://USER@HOST:PORT/DATABASE.</translation>
+    </message>
+    <message>
+        <source>The registry %1 does not answer as it should (%2); check that it is there, is a registry and may be written to, and do it again: nothing is lost.</source>
+        <translation>Registret %1 svarar inte som det ska (%2); kontrollera att det finns, är ett register och får skrivas, och gör om det: inget har gått förlorat.</translation>
+    </message>
+    <message>
+        <source>There is no registry %1; name the file or the server with --registry.</source>
+        <translation>Det finns inget register %1; ange filen eller servern med --registry.</translation>
+    </message>
+    <message>
+        <source>The registry %1 lies on a network folder (%2), where two programs that write it at once would destroy it; put it on a disk of this machine, or use a PostgreSQL server for several.</source>
+        <translation>Registret %1 ligger på en nätverksmapp (%2), där två program som skriver samtidigt skulle förstöra det; lägg det på en disk i denna dator, eller använd en PostgreSQL-server för flera.</translation>
+    </message>
+    <message>
+        <source>The registry %1 needs the driver %2, which is not installed; install the package %3.</source>
+        <translation>Registret %1 behöver drivrutinen %2, som inte är installerad; installera paketet %3.</translation>
+    </message>
+    <message>
+        <source>The registry %1 has version %2 and this program knows versions up to %3; open it with the program that wrote it, or a newer one.</source>
+        <translation>Registret %1 har version %2 och detta program känner versioner till och med %3; öppna det med programmet som skrev det, eller ett nyare.</translation>
+    </message>
+    <message>
+        <source>The database %1 holds other tables than those of a registry; name another file or database.</source>
+        <translation>Databasen %1 innehåller andra tabeller än ett registers; ange en annan fil eller databas.</translation>
+    </message>
+    <message>
+        <source>The registry %1 has version %2 and version %3 is needed to read it; the next dyncal issue or dyncal registry that writes it changes it, after a backup.</source>
+        <translation>Registret %1 har version %2 och version %3 behövs för att läsa det; nästa dyncal issue eller dyncal registry som skriver ändrar det, efter en säkerhetskopia.</translation>
+    </message>
+    <message>
+        <source>Line %1 of audit.jsonl is no entry of an audit trail; take an unchanged copy.</source>
+        <translation>Rad %1 i audit.jsonl är ingen post i en händelselogg; ta en oförändrad kopia.</translation>
+    </message>
+    <message>
+        <source>Line %1 of the table of cards cannot be used: %2; correct it, nothing was changed.</source>
+        <translation>Rad %1 i tabellen med kort kan inte användas: %2; rätta den, inget har ändrats.</translation>
+    </message>
+    <message>
+        <source>The registry %1 holds a row that is no card; see dyncal verify, and take a copy from before.</source>
+        <translation>Registret %1 innehåller en rad som inte är något kort; se dyncal verify, och ta en tidigare kopia.</translation>
+    </message>
 </context>
 <context>
     <name>dyncal::ArrivalPanel</name>
@@ -10029,6 +10305,18 @@ steget</translation>
     <message>
         <source>Writing %1</source>
         <translation>Skriver %1</translation>
+    </message>
+    <message>
+        <source>The results are still being computed; try again in a moment.</source>
+        <translation>Resultaten beräknas fortfarande; försök igen om en stund.</translation>
+    </message>
+    <message>
+        <source>The results are out of date because the computation was cancelled; press F9 to compute them again.</source>
+        <translation>Resultaten är inaktuella eftersom beräkningen avbröts; tryck F9 för att beräkna dem igen.</translation>
+    </message>
+    <message>
+        <source>There is no model yet: open recordings and clear what blocks the stages.</source>
+        <translation>Det finns ingen modell än: öppna registreringar och åtgärda det som blockerar arbetsstegen.</translation>
     </message>
 </context>
 <context>

@@ -132,19 +132,34 @@ Result<std::vector<DrawnFile>> drawnElsewhere(const Drawing &draw)
     return std::move(*files);
 }
 
+Result<std::vector<DrawnFile>> drawnInSteps(
+    ReportDrawing &drawing, const std::function<void()> &beat)
+{
+    constexpr std::chrono::milliseconds kBeat{200};
+    while (!drawing.isDone()) {
+        drawing.draw(kBeat);
+        beat();
+    }
+    return drawing.take();
+}
+
 } // namespace
 
 Result<std::vector<DrawnFile>> drawWithoutWindow(
     const CalibrationResults &results, const Recipe &recipe, const std::string &createdUtc)
 {
     return drawnElsewhere([&](const std::function<void()> &beat) {
-        constexpr std::chrono::milliseconds kBeat{200};
         ReportDrawing drawing(results, recipe, createdUtc, ReportParts::CertificateAndPlots);
-        while (!drawing.isDone()) {
-            drawing.draw(kBeat);
-            beat();
-        }
-        return drawing.take();
+        return drawnInSteps(drawing, beat);
+    });
+}
+
+Result<std::vector<DrawnFile>> drawWithoutWindow(const CalibrationResults &results,
+    const Recipe &recipe, const std::string &createdUtc, const CertificateIssue &issue)
+{
+    return drawnElsewhere([&](const std::function<void()> &beat) {
+        ReportDrawing drawing(results, recipe, createdUtc, ReportParts::Certificate, issue);
+        return drawnInSteps(drawing, beat);
     });
 }
 

@@ -4,6 +4,7 @@
 #pragma once
 
 #include "core/certificate/certificate_data.h"
+#include "core/certificate/certificate_issue.h"
 #include "core/results/run_files.h"
 
 #include <string>
@@ -17,6 +18,10 @@ namespace dyncal {
 /// Only for a program without a QApplication.
 Result<std::vector<DrawnFile>> drawWithoutWindow(
     const CalibrationResults &results, const Recipe &recipe, const std::string &createdUtc);
+
+/// certificate.pdf alone, issued.
+Result<std::vector<DrawnFile>> drawWithoutWindow(const CalibrationResults &results,
+    const Recipe &recipe, const std::string &createdUtc, const CertificateIssue &issue);
 
 /// The same of a document of words and tables, as one file of that name.
 Result<std::vector<DrawnFile>> drawWithoutWindow(

@@ -4,15 +4,14 @@
 #include "app/base/interrupt.h"
 #include "app/cli/calibration.h"
 #include "app/cli/console.h"
+#include "app/cli/project_job.h"
 #include "app/cli/recipe_options.h"
 #include "app/cli/verbs.h"
 
 #include "core/base/foreign_text.h"
-#include "core/capture/capture_seal.h"
 #include "core/results/model_export.h"
 #include "core/results/publication.h"
 #include "core/results/run_files.h"
-#include "ui/session/project_file.h"
 
 #include <filesystem>
 #include <iostream>
@@ -36,17 +35,6 @@ bool isProject(const std::vector<std::string> &files)
     return files.size() == 1 && std::filesystem::path(files.front()).extension() == ".dyncal";
 }
 
-Result<ProjectState> sealed(Result<ProjectState> project, const JobControl &control)
-{
-    if (!project)
-        return project;
-    Result<CaptureSet> set = sealCaptures(*project->captures, control);
-    if (!set)
-        return tl::unexpected<Error>(set.error());
-    project->captures = std::make_shared<const CaptureSet>(std::move(*set));
-    return project;
-}
-
 /// A project brings its own recipe; recordings take that of --recipe.
 Result<ProjectState> readJob(const ExportOptions &options)
 {
@@ -56,15 +44,7 @@ Result<ProjectState> readJob(const ExportOptions &options)
                 {DYNCAL_TEXT("core",
                      "%1 is a project and brings its own recipe, so --recipe and --profile (%2) would change nothing; leave them out, or export from the recordings."),
                     {options.files.front(), options.recipe.files().front()}});
-        const QString project = QString::fromStdString(options.files.front());
-        if (project.toStdString() != options.files.front())
-            return fail(ErrorKind::FileUnreadable,
-                {DYNCAL_TEXT(
-                     "core", "The name of project %1 is not valid UTF-8; rename the project."),
-                    {options.files.front()}});
-        ProgressLine progress("Reading");
-        const JobControl control{interruptToken(), progress.sink()};
-        return sealed(openProject(project, control), control);
+        return readProjectJob(options.files.front());
     }
     ProjectState state;
     Result<Recipe> recipe = options.recipe.read();

@@ -6,6 +6,7 @@
 #include "core/base/message.h"
 
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace dyncal {
@@ -58,9 +59,11 @@ struct CertificateData
     std::string createdUtc;
     std::string number; ///< empty = none yet
     Message title;
-    bool draft = true; ///< stays so until a certificate can be signed
+    bool draft = true; ///< until it is issued (certificate_issue.h)
     bool isCertificate = true; ///< else a report without a number
     std::vector<CertificateSection> sections;
+    /// By which an issued one is held against its files: name and value, in the file's metadata.
+    std::vector<std::pair<std::string, std::string>> marks = {};
 
     /// Labels of all fields that are missing, in order.
     std::vector<Message> missingFields() const;

@@ -15,6 +15,8 @@ namespace dyncal {
 namespace {
 
 constexpr const char *kProfileSchema = "dyncal-profile/1";
+constexpr const char *kIssue = "issue"; ///< what the laboratory demands of a certificate
+constexpr const char *kSecondName = "second_name";
 
 using Allowed = std::map<std::string, std::set<std::string>>; ///< keys of a section; none = any
 
@@ -31,6 +33,7 @@ const Allowed &allowedSections()
                 "wall_sound_speed_m_s", "plateau_guard_s", "largest_mach",
                 "largest_driver_pressure_pa"}},
         {"uncertainty", {"budget", "cmc", "correlations"}},
+        {kIssue, {kSecondName}},
     };
     return sections;
 }
@@ -102,6 +105,17 @@ Result<void> checkSections(const Json &sections, const std::string &path)
             {path, foreign}});
 }
 
+Result<void> checkDemands(const Json &sections, const std::string &path)
+{
+    const Json demands = sections.value(kIssue, Json::object());
+    if (demands.is_object() && demands.value(kSecondName, Json(false)).is_boolean())
+        return {};
+    return fail(ErrorKind::Usage,
+        {DYNCAL_TEXT("core",
+             "The profile %1 needs \"issue\" as an object with \"second_name\" true or false."),
+            {path}});
+}
+
 Result<LaboratoryProfile> namedProfile(Json document, std::string sha256, const std::string &path)
 {
     if (const Result<void> known = checkSchema(document, path); !known)
@@ -113,8 +127,12 @@ Result<LaboratoryProfile> namedProfile(Json document, std::string sha256, const 
         return tl::unexpected<Error>(name ? version.error() : name.error());
     if (const Result<void> known = checkSections(document, path); !known)
         return tl::unexpected<Error>(known.error());
-    return LaboratoryProfile{
-        std::move(document), ProfileMark{*name, *version, std::move(sha256), {}}};
+    if (const Result<void> said = checkDemands(document, path); !said)
+        return tl::unexpected<Error>(said.error());
+    Json demands = document.value(kIssue, Json());
+    document.erase(kIssue);
+    return LaboratoryProfile{std::move(document),
+        ProfileMark{*name, *version, std::move(sha256), {}}, std::move(demands)};
 }
 
 /// Whether its elements have names, so that lists of profile and recipe are joined line by line.
@@ -234,6 +252,13 @@ Result<LaboratoryProfile> laboratoryProfile(const std::string &text, const std::
                                     : namedProfile(std::move(*document), sha256Hex(text), path);
 }
 
+bool demandsSecondName(const ProfileMark &mark)
+{
+    const Json sections = Json::parse(mark.sections, nullptr, false);
+    const Json demands = sections.is_object() ? sections.value(kIssue, Json()) : Json();
+    return demands.is_object() && demands.value(kSecondName, Json()) == Json(true);
+}
+
 bool namesChain(const Json &document)
 {
     return document.is_object() && document.contains(Json::json_pointer("/chain/source"));
@@ -269,7 +294,9 @@ Field<Recipe> profileSection()
 std::vector<std::string> changedFromProfile(const ProfileMark &mark, const Json &recipe)
 {
     std::vector<std::string> changed;
-    compareObjects(Json::parse(mark.sections), recipe, "", changed);
+    Json sections = Json::parse(mark.sections);
+    sections.erase(kIssue); // no part of a recipe
+    compareObjects(sections, recipe, "", changed);
     return changed;
 }
 

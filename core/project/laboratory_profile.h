@@ -19,13 +19,18 @@ struct LaboratoryProfile
 {
     Json sections;
     std::optional<ProfileMark> mark;
+    Json demands = nullptr; ///< what must hold before a certificate is issued; no part of a recipe
 };
 
 /// Takes a profile's JSON text apart. `path` names it in sentences. Fails (Usage) on malformed JSON
 /// and where it holds anything but what is the same for every calibration of a laboratory: import,
 /// checks and, with the schema dyncal-profile/1, the tube in "shock", "budget", "correlations" and
-/// "cmc" in "uncertainty", and "chain". The values themselves are not looked at.
+/// "cmc" in "uncertainty", "chain", and what it demands of a certificate ("issue", true or false
+/// "second_name"). Other values are not looked at.
 Result<LaboratoryProfile> laboratoryProfile(const std::string &text, const std::string &path);
+
+/// Whether a second person must review what is issued under the profile.
+bool demandsSecondName(const ProfileMark &mark);
 
 /// Whether a document says which file states the chain's response; the file is beside it.
 bool namesChain(const Json &document);

@@ -167,9 +167,12 @@ Result<LaboratoryProfile> profileAt(const std::string &path)
     const Result<Recipe> valid = recipeOf(profile->sections);
     if (!valid)
         return tl::unexpected<Error>(valid.error());
-    if (profile->mark)
-        profile->mark->sections
-            = jsonText(asWritten(profile->sections, recipeCodec().write(*valid)));
+    if (!profile->mark)
+        return profile;
+    Json stated = asWritten(profile->sections, recipeCodec().write(*valid));
+    if (!profile->demands.is_null())
+        stated["issue"] = profile->demands;
+    profile->mark->sections = jsonText(stated);
     return profile;
 }
 

@@ -18,9 +18,9 @@ import sys
 from collections import defaultdict
 from pathlib import Path
 
-LAYERS = ("core", "ui", "app")
+LAYERS = ("core", "registry", "ui", "app")
 # A table of the subcommands, and the two programs' entry points.
-WITHOUT_HEADER = re.compile(r"app/(main|cli/(batch|check|compare|correct|export|import|info|recheck|run|selftest|simulate))\.cpp")
+WITHOUT_HEADER = re.compile(r"app/(main|cli/(batch|check|compare|correct|export|import|info|issue|recheck|registry|run|selftest|simulate|verify|withdraw))\.cpp")
 # The oracles of the self-test are tests themselves (tests/selftest/faults.py tests them): the bar of their room is
 # without them, that of all core with them.
 ORACLES = re.compile(r"core/selftest/checks_(of|in)_\w+\.(cpp|h)")
@@ -28,7 +28,7 @@ INCLUDE = re.compile(r'#include "([^"]+)"')
 MOST_FILE_LINES = 450
 MOST_FUNCTION_LINES = 60
 MOST_CORE_MEDIAN = 8
-LEAST_TESTS = {"core": 0.95, "ui": 0.5}
+LEAST_TESTS = {"core": 0.95, "registry": 0.75, "ui": 0.5}
 LEAST_TESTS_OF_ROOM = {"core": 0.75}
 LEAST_TESTS_OF = {"ui/stages": 0.4}
 
@@ -159,7 +159,7 @@ def check_bars(root):
     for layer in LAYERS:
         check_sizes(root, layer, errors)
     print(f"\n  {'room':38} {'source':>6} {'tests':>6}  ratio")
-    for layer in ("core", "ui"):
+    for layer in ("core", "registry", "ui"):
         show_tests(root, layer, errors)
     window = root / "ui/shell/main_window.cpp"
     print(f"\nmain_window.cpp: {len(window.read_text().splitlines())} lines")

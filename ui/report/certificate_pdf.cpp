@@ -5,6 +5,7 @@
 
 #include "ui/report/certificate_blocks.h"
 #include "ui/report/pdf_bytes.h"
+#include "ui/report/pdf_marks.h"
 #include "ui/text/core_text.h"
 #include "ui/text/shown_text.h"
 
@@ -43,8 +44,12 @@ struct FrameTexts
         , computed(
               QCoreApplication::translate("Report", "Computed %1").arg(rawText(data.createdUtc)))
     {
-        if (!data.draft)
+        if (!data.isCertificate)
             return;
+        if (!data.draft) {
+            state = QCoreApplication::translate("Report", "Issued, not signed");
+            return;
+        }
         state = QCoreApplication::translate("Report", "Draft, not valid as a certificate");
         mark = QCoreApplication::translate("Report", "DRAFT");
     }
@@ -127,6 +132,8 @@ void setUp(QPdfWriter &writer, const CertificateData &data)
     writer.setPageMargins(QMarginsF(0.0, 0.0, 0.0, 0.0));
     writer.setTitle(printed(data.title) + QLatin1Char(' ') + shownText(data.number));
     writer.setCreator(QStringLiteral("Dyncal"));
+    if (!data.marks.empty())
+        writer.setDocumentXmpMetadata(metadataOf(data.marks));
 }
 
 } // namespace

@@ -29,6 +29,15 @@ std::string plotName(std::size_t number, const std::string &id)
     return (number < 10 ? "plots/0" : "plots/") + std::to_string(number) + "-" + id + ".svg";
 }
 
+CertificateData certificateOf(const CalibrationResults &results, const Recipe &recipe,
+    const std::string &createdUtc, const std::optional<CertificateIssue> &issue)
+{
+    CertificateData data = makeCertificate(results, recipe, createdUtc);
+    if (issue)
+        markIssued(*issue, data);
+    return data;
+}
+
 } // namespace
 
 struct ReportDrawing::Private
@@ -44,9 +53,10 @@ struct ReportDrawing::Private
     std::size_t steps = 0;
     bool failed = false;
 
-    Private(const CalibrationResults &shown, const Recipe &recipe, const std::string &createdUtc)
+    Private(const CalibrationResults &shown, const Recipe &recipe, const std::string &createdUtc,
+        const std::optional<CertificateIssue> &issue)
         : results(shown)
-        , data(makeCertificate(results, recipe, createdUtc))
+        , data(certificateOf(results, recipe, createdUtc, issue))
         , language(data.language)
         , makers(figureMakers(results))
     {
@@ -104,8 +114,8 @@ struct ReportDrawing::Private
 };
 
 ReportDrawing::ReportDrawing(const CalibrationResults &results, const Recipe &recipe,
-    const std::string &createdUtc, ReportParts parts)
-    : d(std::make_unique<Private>(results, recipe, createdUtc))
+    const std::string &createdUtc, ReportParts parts, const std::optional<CertificateIssue> &issue)
+    : d(std::make_unique<Private>(results, recipe, createdUtc, issue))
 {
     d->plots = parts == ReportParts::CertificateAndPlots;
     d->failed = !qobject_cast<QApplication *>(QCoreApplication::instance());

@@ -4,10 +4,12 @@
 #pragma once
 
 #include "core/base/result.h"
+#include "core/certificate/certificate_issue.h"
 #include "core/results/run_files.h"
 
 #include <chrono>
 #include <memory>
+#include <optional>
 #include <vector>
 
 namespace dyncal {
@@ -17,12 +19,14 @@ enum class ReportParts { Certificate, CertificateAndPlots };
 /// Draws certificate.pdf and plots/NN-name.svg of one set of results in memory, in steps: drawing
 /// needs the thread of the window, which must stay free to answer. All texts are in the language of
 /// the recipe's certificate, whatever that of the window; `createdUtc` (ISO 8601 with Z) is printed
-/// and makes the bytes reproducible. Needs a QApplication.
+/// and makes the bytes reproducible. A draft unless `issue` makes it a certificate. Needs a
+/// QApplication.
 class ReportDrawing
 {
 public:
     ReportDrawing(const CalibrationResults &results, const Recipe &recipe,
-        const std::string &createdUtc, ReportParts parts);
+        const std::string &createdUtc, ReportParts parts,
+        const std::optional<CertificateIssue> &issue = {});
     ~ReportDrawing();
     ReportDrawing(const ReportDrawing &) = delete;
     ReportDrawing &operator=(const ReportDrawing &) = delete;

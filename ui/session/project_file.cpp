@@ -58,7 +58,8 @@ QJsonValue hashOf(const InputFile &input)
     return hash.empty() ? QJsonValue() : QJsonValue(QString::fromStdString(hash));
 }
 
-QJsonArray captureReferences(const ProjectState &state, const QDir &folder)
+/// `folder` empty: by name only.
+QJsonArray captureReferences(const ProjectState &state, const QString &folder)
 {
     QJsonArray list;
     for (std::size_t i = 0; i < state.captures->inputs.size(); ++i) {
@@ -68,9 +69,11 @@ QJsonArray captureReferences(const ProjectState &state, const QDir &folder)
             {"sha256", hashOf(input)}, {"shots", shotsOf(*state.captures, static_cast<Index>(i))}};
         if (input.path == kExamplePath) {
             entry["path"] = path;
+        } else if (folder.isEmpty()) {
+            entry["path"] = QFileInfo(path).fileName();
         } else {
             const QString absolute = QFileInfo(path).absoluteFilePath();
-            entry["path"] = folder.relativeFilePath(absolute);
+            entry["path"] = QDir(folder).relativeFilePath(absolute);
             entry["absolute_path"] = absolute;
         }
         list.append(entry);
@@ -204,8 +207,13 @@ QByteArray projectBytes(
     project["format"] = kFormat;
     project["version"] = kVersion;
     project["recipe"] = recipe.object();
-    project["captures"] = captureReferences(state, QDir(folder));
+    project["captures"] = captureReferences(state, folder);
     return QJsonDocument(withChecksums(project)).toJson();
+}
+
+QByteArray frozenProjectBytes(const ProjectState &state)
+{
+    return projectBytes(state, {});
 }
 
 ProjectFileHash projectFileHash(const QString &path)

@@ -61,6 +61,10 @@ Result<ProjectState> openProject(
 QByteArray projectBytes(
     const ProjectState &state, const QString &folder, const QJsonObject &moreKeys = {});
 
+/// The bytes of the project of an issued certificate: recordings by name and hash, never by a path.
+/// It is opened where they lie beside it.
+QByteArray frozenProjectBytes(const ProjectState &state);
+
 Result<Recipe> recipeOfProject(const QJsonObject &project);
 
 } // namespace dyncal

@@ -4,6 +4,7 @@
 // A laboratory's profile with name and version: what it may hold, how it joins a recipe, and what
 // the recipe remembers of it.
 
+#include "core/project/laboratory_profile.h"
 #include "core/project/recipe.h"
 #include "tests/support/scratch_folder.h"
 #include "tests/support/test_program.h"
@@ -217,6 +218,24 @@ private slots:
     }
 
     /// A recipe that names a file of its own means the one beside itself.
+    /// What a laboratory demands of a certificate is remembered with the profile and no part of the
+    /// recipe.
+    void demands_areRemembered()
+    {
+        const std::string demanding
+            = std::string(kProfile).replace(1, 0, R"("issue": {"second_name": true}, )");
+        const Recipe recipe = joined("{}", demanding).value();
+        QVERIFY(demandsSecondName(*recipe.profile));
+        QVERIFY(changedFromProfile(recipe).empty());
+        const Recipe again = parseRecipe(recipeJson(recipe)).value();
+        QVERIFY(again == recipe && demandsSecondName(*again.profile));
+        QVERIFY(!demandsSecondName(*joined("{}", kProfile)->profile));
+        for (const char *wrong : {R"("issue": true, )", R"("issue": {"second_name": 1}, )",
+                 R"("issue": {"third_name": true}, )"})
+            QVERIFY(!faultOf(std::string(kProfile).replace(1, 0, wrong)).empty());
+        QVERIFY(!joined(R"({"issue": {"second_name": true}})", "{}")); // not of a recipe
+    }
+
     void chainOfTheRecipe_isReadBesideTheRecipe()
     {
         const ScratchFolder elsewhere;

@@ -60,6 +60,7 @@ private slots:
     void recipe_everyNumber_survives();
     void fileOfTheReference_isReadBesideTheProject();
     void recordings_areNamedRelativeToTheProject();
+    void frozenProject_namesNoFolder();
     void changedRecording_isReportedAndBlocks();
     void recordingInAFile_isOpenedUnsealedAndHeldAgainstItsHash();
     void movedRecording_isFoundInTheFolderGiven();
@@ -157,6 +158,24 @@ void TestProjectFile::recipe_everyNumber_survives()
     const Result<ProjectState> opened = openProject(path);
     QVERIFY(opened);
     QVERIFY(opened->recipe == state.recipe);
+}
+
+/// Of an issued certificate: recordings by name and hash alone.
+void TestProjectFile::frozenProject_namesNoFolder()
+{
+    ProjectState state = m_state;
+    CaptureSet set = *state.captures;
+    set.inputs = {{m_folder.filePath("data/low.h5").toStdString(), "low.h5", "00", "test"}};
+    state.captures = std::make_shared<const CaptureSet>(set);
+    const QByteArray frozen = frozenProjectBytes(state);
+    QVERIFY(!frozen.contains(m_folder.path().toUtf8()));
+    const QJsonObject project = QJsonDocument::fromJson(frozen).object();
+    const QJsonObject entry = project["captures"].toArray().at(0).toObject();
+    QCOMPARE(entry["path"].toString(), QString("low.h5"));
+    QCOMPARE(entry["sha256"].toString(), QString("00"));
+    QVERIFY(!entry.contains("absolute_path"));
+    QVERIFY(checkProject(project, "project").empty());
+    QVERIFY(recipeOfProject(project).value() == state.recipe);
 }
 
 void TestProjectFile::recordings_areNamedRelativeToTheProject()

@@ -111,6 +111,13 @@ constexpr std::pair<std::string_view, FindingPlace> kPlaces[]{
     {"UNC-004", {Comparison, "knownList"}},
     {"UNC-005", {Comparison, "knownList"}},
     {"UNC-006", {Page::Uncertainty, "drawnResult"}},
+    {"CER-001", {Page::Certificate, "field_customer"}},
+    {"CER-002", {Page::Certificate, "field_remarks"}},
+    {"CER-003", {Page::Uncertainty, "budgetTable"}},
+    {"CER-005", {Page::Certificate, "field_approved_by"}},
+    {"CER-006", {Page::Certificate, "exportCertificate"}},
+    {"CER-008", {Page::Uncertainty, "uncertaintyResult"}},
+    {"CER-009", {Page::Uncertainty, "budgetTable"}},
     {"PRJ-001", {Captures, "shotTable"}},
 };
 

@@ -1,0 +1,149 @@
+// SPDX-FileCopyrightText: 2026 The Dyncal authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "app/base/clock.h"
+#include "app/cli/calibration.h"
+#include "app/cli/console.h"
+#include "app/cli/findings_json.h"
+#include "app/cli/issuing.h"
+#include "app/cli/project_job.h"
+#include "app/cli/registry_options.h"
+#include "app/cli/verbs.h"
+
+#include "core/base/foreign_text.h"
+#include "core/base/json_text.h"
+#include "core/issue/issue_obstacles.h"
+#include "registry/cards/card_filling.h"
+#include "registry/cards/card_register.h"
+
+#include <iostream>
+#include <memory>
+
+namespace dyncal {
+namespace {
+
+struct IssueOptions
+{
+    std::string project;
+    IssueOrder order;
+    std::string templateName;
+    std::vector<std::string> languages;
+    bool isUnsigned = false; ///< always so in this version
+    bool json = false;
+};
+
+Result<void> checkAmendment(const IssueOrder &order)
+{
+    if ((order.amends > 0) == !order.reason.empty())
+        return {};
+    return fail(ErrorKind::Usage,
+        {DYNCAL_TEXT("core",
+             "An amendment needs both --amends NUMBER and --reason TEXT, which says what changed."),
+            {}});
+}
+
+/// Template and languages are the recipe's unless they are given; what cards of the registry know
+/// and nobody has typed is filled in.
+Result<Recipe> chosen(Recipe recipe, const IssueOptions &options)
+{
+    if (!options.templateName.empty())
+        recipe.certificate.templateName = options.templateName;
+    if (!options.languages.empty())
+        recipe.certificate.languages = options.languages;
+    if (const Result<Recipe> valid = parseRecipe(recipeJson(recipe)); !valid)
+        return valid;
+    return cardsAt(options.order.registry).map([&](const std::vector<Card> &cards) {
+        return filledFromCards(recipe, cards);
+    });
+}
+
+int refuse(const Findings &obstacles, bool json)
+{
+    if (json)
+        std::cout << jsonText({{"findings", findingsJson(obstacles)}});
+    reportFindings(obstacles);
+    std::cerr << "No certificate was issued.\n";
+    return static_cast<int>(ExitCode::Blocked);
+}
+
+int conclude(const IssuedCertificate &issued, bool json)
+{
+    const CertificateRecord &record = issued.record;
+    if (json)
+        std::cout << jsonText({{"number", record.number}, {"folder", issued.folder},
+            {"state", certificateStateName(record.state)}, {"head", record.head},
+            {"files", record.files}, {"findings", nlohmann::json::array()}});
+    else
+        std::cout << "Certificate " << record.number << ", " << certificateStateName(record.state)
+                  << ", not signed: " << presentable(issued.folder) << '\n';
+    return static_cast<int>(ExitCode::Done);
+}
+
+int issue(IssueOptions options)
+{
+    const Result<std::string> now = currentUtc();
+    if (!now)
+        return report(now.error());
+    options.order.names.utc = *now;
+    if (const Result<void> whole = checkAmendment(options.order); !whole)
+        return report(whole.error());
+    Result<ProjectState> job = readProjectJob(options.project);
+    if (!job)
+        return report(job.error());
+    const Result<Recipe> recipe = chosen(job->recipe, options);
+    if (!recipe)
+        return report(recipe.error());
+    job->recipe = *recipe;
+    const PipelineOutcome outcome = calibrate(*job->captures, job->recipe);
+    if (outcome.error && outcome.error->kind != ErrorKind::DataBlocked)
+        return report(*outcome.error);
+    const Findings obstacles = issueObstacles(
+        outcome, issuedRecipe(job->recipe, "1", options.order.names), options.order.names);
+    if (!obstacles.empty())
+        return refuse(obstacles, options.json);
+    const Result<IssuedCertificate> issued = issueCertificate(*job, outcome, options.order);
+    return issued ? conclude(*issued, options.json) : report(issued.error());
+}
+
+void declareNames(CLI::App &verb, IssueOrder &order)
+{
+    verb.add_option("--by", order.names.by, "Who issues it; else the operator of the recipe")
+        ->type_name("NAME");
+    verb.add_option("--reviewed-by", order.names.reviewedBy, "Who reviewed it")->type_name("NAME");
+    verb.add_option("--amends", order.amends, "Number of the certificate that it replaces")
+        ->check(CLI::PositiveNumber)
+        ->type_name("NUMBER");
+    verb.add_option("--reason", order.reason, "Of the amendment: what changed")->type_name("TEXT");
+}
+
+} // namespace
+
+void addIssue(CLI::App &program, VerbAction &action)
+{
+    const auto options = std::make_shared<IssueOptions>();
+    CLI::App *verb = program.add_subcommand(
+        "issue", "Issue the certificate of a project: numbered, registered, frozen in DIR/NUMBER/");
+    verb->add_option("project", options->project, "A project")->required()->type_name("PROJECT");
+    verb->add_option("-o,--output", options->order.output, "Folder that gets the folder NUMBER")
+        ->required()
+        ->type_name("DIR");
+    declareRegistry(*verb, options->order.registry);
+    verb->add_option("--number", options->order.number, "Go on with this reserved number")
+        ->check(CLI::PositiveNumber)
+        ->type_name("NUMBER");
+    verb->add_option("--template", options->templateName, "Else that of the recipe")
+        ->type_name("TEMPLATE");
+    verb->add_option("--languages", options->languages, "Else those of the recipe")
+        ->delimiter(',')
+        ->type_name("en,sv");
+    declareNames(*verb, options->order);
+    verb->add_flag(
+        "--unsigned", options->isUnsigned, "Without a signature (implied: this version has none)");
+    verb->add_flag("--json", options->json, "As JSON");
+    verb->footer(
+        "Example:\n  dyncal issue job.dyncal -o certificates --by \"A. Berg\"\n"
+        "  dyncal issue job.dyncal -o certificates --amends 17 --reason \"serial number corrected\"");
+    verb->callback([options, &action] { action = [options] { return issue(*options); }; });
+}
+
+} // namespace dyncal

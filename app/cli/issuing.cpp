@@ -1,0 +1,149 @@
+// SPDX-FileCopyrightText: 2026 The Dyncal authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "app/cli/issuing.h"
+
+#include "app/base/interrupt.h"
+#include "app/cli/drawing_process.h"
+
+#include "core/base/content_hash.h"
+#include "core/capture/capture_seal.h"
+#include "core/certificate/certificate_issue.h"
+#include "core/reference/reference_source.h"
+#include "core/results/results_json.h"
+#include "registry/issued/folder_check.h"
+#include "registry/issued/issued_files.h"
+#include "ui/session/project_file.h"
+
+namespace dyncal {
+namespace {
+
+using Files = std::map<std::string, std::string>;
+
+std::string numberText(Index number)
+{
+    return number > 0 ? std::to_string(number) : std::string();
+}
+
+NumberRequest requestOf(
+    const ProjectState &job, const PipelineOutcome &outcome, const IssueOrder &order)
+{
+    const auto customer = job.recipe.certificate.fields.find("customer");
+    NumberRequest request;
+    request.job = jobOf(*job.captures);
+    request.jobSha256
+        = jobSha256(*job.captures, job.recipe, order.names, numberText(order.amends), order.reason);
+    request.utc = order.names.utc;
+    request.by = issuerOf(job.recipe, order.names);
+    request.reviewedBy = order.names.reviewedBy;
+    request.sensor = sensorName(outcome.results, job.recipe);
+    if (customer != job.recipe.certificate.fields.end())
+        request.customer = customer->second;
+    request.number = order.number;
+    request.amends = order.amends;
+    request.reason = order.reason;
+    for (const auto &[action, reason] : decisionsOf(*job.captures, job.recipe))
+        request.decisions.push_back({action, reason});
+    return request;
+}
+
+Result<ReservedNumber> reserveNumber(const std::string &registry, const NumberRequest &request)
+{
+    // The connection ends with this, so that no application object is there when the PDF is drawn.
+    Result<CertificateRegister> opened = CertificateRegister::open(registry);
+    if (!opened)
+        return tl::unexpected<Error>(opened.error());
+    return opened->reserve(request);
+}
+
+template <typename Settings>
+void keepSource(const Settings &settings, Files &files)
+{
+    if (settings.loaded)
+        files[keptSourceName(settings.source, settings.loaded->sha256)] = settings.loaded->content;
+}
+
+Result<Files> filesOf(
+    const ProjectState &job, const PipelineOutcome &outcome, const CertificateRecord &record)
+{
+    // The names that were given when the number was reserved, and its time: a restart later makes
+    // the same files.
+    const std::string number = std::to_string(record.number);
+    const Recipe recipe
+        = issuedRecipe(job.recipe, number, {record.by, record.reviewedBy, record.reservedUtc});
+    Files files{{"recipe.json", recipeJson(recipe)},
+        {"results.json", resultsJson(outcome, recipe, record.reservedUtc)},
+        {kFrozenProject, frozenProjectBytes({job.captures, recipe}).toStdString()}};
+    keepSource(recipe.chain, files);
+    if (recipe.comparison.enabled)
+        keepSource(recipe.comparison, files);
+    const CertificateIssue issue{number, numberText(record.amends), record.reason, record.head,
+        sha256Hex(std::string_view(files["results.json"]))};
+    Result<std::vector<DrawnFile>> drawn
+        = drawWithoutWindow(outcome.results, recipe, record.reservedUtc, issue);
+    if (!drawn)
+        return tl::unexpected<Error>(drawn.error());
+    for (DrawnFile &file : *drawn)
+        files[file.name] = std::move(file.bytes);
+    return files;
+}
+
+std::vector<std::string> recordingsOf(const CaptureSet &captures)
+{
+    std::vector<std::string> paths;
+    for (const InputFile &input : captures.inputs)
+        paths.push_back(input.path);
+    return paths;
+}
+
+Result<CertificateRecord> registerIssued(const std::string &registry, Index number,
+    const std::map<std::string, std::string> &hashes, const std::string &utc)
+{
+    Result<CertificateRegister> opened = CertificateRegister::open(registry);
+    if (!opened)
+        return tl::unexpected<Error>(opened.error());
+    return opened->markIssued(number, hashes, utc);
+}
+
+/// Of a job that is issued already: its folder must be where it is asked for.
+Result<IssuedCertificate> issuedBefore(const IssueOrder &order, const CertificateRecord &record)
+{
+    const std::string folder = issuedFolder(order.output, record.number);
+    const Result<FolderCheck> check = checkIssuedFolder(folder, nullptr);
+    if (check && !check->firstDifference)
+        return IssuedCertificate{record, folder};
+    return fail(ErrorKind::Usage,
+        {DYNCAL_TEXT("core",
+             "This job was issued as certificate %1, and %2 does not hold it; name the folder that does (-o), or issue an amendment by --amends %1 --reason TEXT."),
+            {std::to_string(record.number), folder}},
+        "CER-006");
+}
+
+} // namespace
+
+Result<IssuedCertificate> issueCertificate(
+    const ProjectState &job, const PipelineOutcome &outcome, const IssueOrder &order)
+{
+    const Result<ReservedNumber> reserved
+        = reserveNumber(order.registry, requestOf(job, outcome, order));
+    if (!reserved)
+        return tl::unexpected<Error>(reserved.error());
+    const CertificateRecord &record = reserved->record;
+    if (record.state != CertificateState::Reserved)
+        return issuedBefore(order, record);
+    const Result<Files> files = filesOf(job, outcome, record);
+    if (!files)
+        return tl::unexpected<Error>(files.error());
+    const auto hashes
+        = writeIssuedFolder(order.output, *reserved, *files, recordingsOf(*job.captures),
+            [&] { return checkStillWhole(*job.captures); }, {interruptToken(), {}});
+    if (!hashes)
+        return tl::unexpected<Error>(hashes.error());
+    const Result<CertificateRecord> issued
+        = registerIssued(order.registry, record.number, *hashes, order.names.utc);
+    if (!issued)
+        return tl::unexpected<Error>(issued.error());
+    return IssuedCertificate{*issued, issuedFolder(order.output, record.number)};
+}
+
+} // namespace dyncal

@@ -1,0 +1,33 @@
+// SPDX-FileCopyrightText: 2026 The Dyncal authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "app/cli/project_job.h"
+
+#include "app/base/interrupt.h"
+#include "app/cli/console.h"
+
+#include "core/capture/capture_seal.h"
+#include "ui/session/project_file.h"
+
+namespace dyncal {
+
+Result<ProjectState> readProjectJob(const std::string &path)
+{
+    const QString name = QString::fromStdString(path);
+    if (name.toStdString() != path)
+        return fail(ErrorKind::FileUnreadable,
+            {DYNCAL_TEXT("core", "The name of project %1 is not valid UTF-8; rename the project."),
+                {path}});
+    ProgressLine progress("Reading");
+    const JobControl control{interruptToken(), progress.sink()};
+    Result<ProjectState> project = openProject(name, control);
+    if (!project)
+        return project;
+    Result<CaptureSet> set = sealCaptures(*project->captures, control);
+    if (!set)
+        return tl::unexpected<Error>(set.error());
+    project->captures = std::make_shared<const CaptureSet>(std::move(*set));
+    return project;
+}
+
+} // namespace dyncal

@@ -1,0 +1,160 @@
+// SPDX-FileCopyrightText: 2026 The Dyncal authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "app/base/clock.h"
+#include "app/cli/console.h"
+#include "app/cli/registry_options.h"
+#include "app/cli/verbs.h"
+
+#include "core/base/foreign_text.h"
+#include "core/base/json_text.h"
+#include "registry/cards/card_csv.h"
+#include "registry/cards/card_register.h"
+#include "registry/certificates/certificate_register.h"
+
+#include <fstream>
+#include <iostream>
+#include <iterator>
+#include <memory>
+
+namespace dyncal {
+namespace {
+
+struct RegistryOptions
+{
+    std::string registry, by, reason, kind, file;
+    Index number = 0;
+    bool json = false;
+};
+
+nlohmann::json jsonOf(const std::vector<CertificateRecord> &records)
+{
+    nlohmann::json list = nlohmann::json::array();
+    for (const CertificateRecord &record : records)
+        list.push_back(nlohmann::json::parse(recordJson(record)));
+    return list;
+}
+
+std::string lineOf(const CertificateRecord &record)
+{
+    std::string line = std::to_string(record.number) + "  " + certificateStateName(record.state)
+        + "  " + (record.issuedUtc.empty() ? record.reservedUtc : record.issuedUtc);
+    for (const std::string &text : {record.sensor, record.customer, record.reason})
+        line += text.empty() ? "" : "  " + presentableInBrief(text);
+    return line + '\n';
+}
+
+int list(const RegistryOptions &options)
+{
+    Result<CertificateRegister> registry = CertificateRegister::openToRead(options.registry);
+    if (!registry)
+        return report(registry.error());
+    const auto records = registry->all();
+    if (!records)
+        return report(records.error());
+    if (options.json)
+        std::cout << jsonText(jsonOf(*records));
+    for (const CertificateRecord &record : *records)
+        if (!options.json)
+            std::cout << lineOf(record);
+    return static_cast<int>(ExitCode::Done);
+}
+
+int makeVoid(const RegistryOptions &options)
+{
+    const Result<std::string> now = currentUtc();
+    if (!now)
+        return report(now.error());
+    Result<CertificateRegister> registry = CertificateRegister::open(options.registry);
+    if (!registry)
+        return report(registry.error());
+    const auto record = registry->markVoid(options.number, options.by, options.reason, *now);
+    if (!record)
+        return report(record.error());
+    std::cout << "Number " << record->number << " is void.\n";
+    return static_cast<int>(ExitCode::Done);
+}
+
+int listCards(const RegistryOptions &options)
+{
+    Result<CertificateRegister> registry = CertificateRegister::openToRead(options.registry);
+    if (!registry)
+        return report(registry.error());
+    const auto cards = cardsOf(registry->database(), options.kind);
+    if (!cards)
+        return report(cards.error());
+    std::cout << cardsCsv(*cards);
+    return static_cast<int>(ExitCode::Done);
+}
+
+int importCards(const RegistryOptions &options)
+{
+    const Result<std::string> now = currentUtc();
+    std::ifstream in(options.file, std::ios::binary);
+    if (!now || !in)
+        return report(!now
+                ? now.error()
+                : Error{ErrorKind::FileUnreadable,
+                    {DYNCAL_TEXT("core", "The file %1 does not exist."), {options.file}}, {}, 0});
+    const auto cards = parseCards({std::istreambuf_iterator<char>(in), {}}, options.kind);
+    if (!cards)
+        return report(cards.error());
+    Result<CertificateRegister> registry = CertificateRegister::open(options.registry);
+    if (!registry)
+        return report(registry.error());
+    const auto changed = putCards(registry->database(), *cards, options.by, options.reason, *now);
+    if (!changed)
+        return report(changed.error());
+    std::cout << *changed << " of " << cards->size() << " cards were new or changed.\n";
+    return static_cast<int>(ExitCode::Done);
+}
+
+void addCards(CLI::App &verb, const std::shared_ptr<RegistryOptions> &options, VerbAction &action)
+{
+    const auto declare = [&](CLI::App *one) {
+        one->add_option("kind", options->kind, "Which cards")
+            ->required()
+            ->check(CLI::IsMember({"laboratory", "customer", "sensor", "reference"}))
+            ->type_name("laboratory|customer|sensor|reference");
+        declareRegistry(*one, options->registry);
+        return one;
+    };
+    CLI::App *shown = declare(verb.add_subcommand("cards", "Cards of a kind, as CSV"));
+    shown->callback([options, &action] { action = [options] { return listCards(*options); }; });
+    CLI::App *taken = declare(verb.add_subcommand(
+        "import", "Take cards from a CSV file; those of the same name are changed"));
+    taken->add_option("file", options->file, "A table with a column \"name\"")
+        ->required()
+        ->type_name("FILE.csv");
+    declareReason(*taken, options->by, options->reason);
+    taken->callback([options, &action] { action = [options] { return importCards(*options); }; });
+}
+
+} // namespace
+
+void addRegistry(CLI::App &program, VerbAction &action)
+{
+    const auto options = std::make_shared<RegistryOptions>();
+    CLI::App *verb
+        = program.add_subcommand("registry", "The laboratory's registry of certificates");
+    verb->require_subcommand(1);
+    CLI::App *all = verb->add_subcommand("list", "Every number and what has become of it");
+    declareRegistry(*all, options->registry);
+    all->add_flag("--json", options->json, "As JSON");
+    all->callback([options, &action] { action = [options] { return list(*options); }; });
+    CLI::App *none
+        = verb->add_subcommand("void", "Give up a reserved number that will not be issued");
+    none->add_option("number", options->number, "A reserved number")
+        ->required()
+        ->check(CLI::PositiveNumber)
+        ->type_name("NUMBER");
+    declareRegistry(*none, options->registry);
+    declareReason(*none, options->by, options->reason);
+    none->callback([options, &action] { action = [options] { return makeVoid(*options); }; });
+    addCards(*verb, options, action);
+    verb->footer("Example:\n  dyncal registry list\n"
+                 "  dyncal registry import reference references.csv --reason \"list of 2026\"\n"
+                 "  dyncal registry void 18 --by \"A. Berg\" --reason \"sensor broke\"");
+}
+
+} // namespace dyncal

@@ -1,0 +1,103 @@
+// SPDX-FileCopyrightText: 2026 The Dyncal authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "app/cli/verified.h"
+
+#include "core/base/foreign_text.h"
+
+#include <algorithm>
+#include <array>
+
+namespace dyncal {
+namespace {
+
+using Status = Verified::Status;
+
+int codeOf(const Verified &one)
+{
+    switch (one.status) {
+    case Status::Valid:
+        return one.remarks.empty() ? 0 : 1;
+    case Status::Unsigned:
+        return 1;
+    case Status::Changed:
+    case Status::Missing:
+        return 2;
+    case Status::Unreadable:
+        break;
+    }
+    return 3;
+}
+
+nlohmann::json textOrNull(const std::string &text)
+{
+    return text.empty() ? nlohmann::json() : nlohmann::json(text);
+}
+
+nlohmann::json jsonOf(const Verified &one)
+{
+    nlohmann::json remarks = nlohmann::json::array();
+    for (const Message &remark : one.remarks)
+        remarks.push_back(english(remark));
+    nlohmann::json json{{"file", one.file}, {"kind", one.kind}, {"status", statusName(one.status)},
+        {"remarks", remarks}, {"state", textOrNull(one.state)},
+        {"chain",
+            {{"entries", one.entries}, {"head", textOrNull(one.head)},
+                {"anchored", one.anchored}}}};
+    for (const char *later : {"signer", "signed_utc", "stamped_utc"}) // with signatures
+        json[later] = nullptr;
+    json["number"] = one.number > 0 ? nlohmann::json(one.number) : nlohmann::json();
+    json["first_difference"]
+        = one.firstDifference ? nlohmann::json(english(*one.firstDifference)) : nlohmann::json();
+    return json;
+}
+
+std::string wordsOf(const Verified &one)
+{
+    if (one.firstDifference)
+        return english(*one.firstDifference);
+    std::string words = one.number > 0 ? "certificate " + std::to_string(one.number) + ", " : "";
+    words += (one.state.empty() ? "" : one.state + ", ") + statusName(one.status);
+    if (one.kind == "registry")
+        words += "; " + std::to_string(one.entries) + " entries of the audit trail, "
+            + std::to_string(one.anchored) + " of them up to the last issued certificate";
+    return words;
+}
+
+} // namespace
+
+const char *statusName(Verified::Status status)
+{
+    constexpr std::array<const char *, 5> kNames{
+        "valid", "unsigned", "changed", "missing", "unreadable"};
+    return kNames[static_cast<std::size_t>(status)];
+}
+
+int exitCodeOf(const std::vector<Verified> &all)
+{
+    int worst = 0;
+    for (const Verified &one : all)
+        worst = std::max(worst, codeOf(one));
+    return worst;
+}
+
+nlohmann::json verifiedJson(const std::vector<Verified> &all)
+{
+    nlohmann::json list = nlohmann::json::array();
+    for (const Verified &one : all)
+        list.push_back(jsonOf(one));
+    return list;
+}
+
+std::string verifiedText(const std::vector<Verified> &all)
+{
+    std::string text;
+    for (const Verified &one : all) {
+        text += presentable(one.file) + ": " + wordsOf(one) + '\n';
+        for (const Message &remark : one.remarks)
+            text += "  " + english(remark) + '\n';
+    }
+    return text;
+}
+
+} // namespace dyncal

@@ -1,0 +1,68 @@
+// SPDX-FileCopyrightText: 2026 The Dyncal authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "core/certificate/certificate_issue.h"
+
+#include "core/certificate/certificate_words.h"
+
+#include <algorithm>
+
+namespace dyncal {
+namespace {
+
+CertificateField replacedField(const CertificateIssue &issue)
+{
+    return {"amends", {DYNCAL_TEXT("core", "Replaces"), {}},
+        {DYNCAL_TEXT("core", "certificate %1, which is no longer valid; what changed: %2"),
+            {issue.amends, issue.reason}}};
+}
+
+CertificateSection issueSection(const CertificateIssue &issue)
+{
+    CertificateSection section;
+    section.id = "issue";
+    section.title = {DYNCAL_TEXT("core", "Issue"), {}};
+    section.fields = {
+        {"state", {DYNCAL_TEXT("core", "State"), {}},
+            issue.amends.empty()
+                ? Message{DYNCAL_TEXT("core", "issued, not signed"), {}}
+                : Message{DYNCAL_TEXT("core", "issued as an amendment, not signed"), {}}},
+        {"trail_head", {DYNCAL_TEXT("core", "Audit trail before issuing (SHA-256)"), {}},
+            verbatim(issue.head)},
+        {"results_sha256", {DYNCAL_TEXT("core", "SHA-256 of results.json"), {}},
+            verbatim(issue.resultsSha256)},
+    };
+    section.notes.push_back(
+        {DYNCAL_TEXT("core",
+             "dyncal verify holds this page, the files beside it and the laboratory's registry against each other."),
+            {}});
+    return section;
+}
+
+/// A draft knows nothing of traceability; an issued one is refused without it.
+void stateTraceability(CertificateData &data)
+{
+    const auto statements = std::ranges::find(data.sections, "statements", &CertificateSection::id);
+    if (statements != data.sections.end() && !statements->paragraphs.empty())
+        statements->paragraphs.back() = {
+            DYNCAL_TEXT("core",
+                "The references that the results are traceable by stand with their certificates in the section \"Method\"."),
+            {}};
+}
+
+} // namespace
+
+void markIssued(const CertificateIssue &issue, CertificateData &data)
+{
+    data.draft = false;
+    data.number = issue.number;
+    data.marks = {{"number", issue.number}, {"amends", issue.amends}, {"head", issue.head},
+        {"results", issue.resultsSha256}};
+    if (!issue.amends.empty() && !data.sections.empty())
+        data.sections.front().fields.push_back(replacedField(issue));
+    stateTraceability(data);
+    const auto records = std::ranges::find(data.sections, "records", &CertificateSection::id);
+    data.sections.insert(records, issueSection(issue));
+}
+
+} // namespace dyncal

@@ -1,0 +1,25 @@
+// SPDX-FileCopyrightText: 2026 The Dyncal authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#pragma once
+
+#include "core/certificate/certificate_data.h"
+
+#include <string>
+
+namespace dyncal {
+
+/// What makes a certificate of a draft: stands on its pages and in the file's metadata.
+struct CertificateIssue
+{
+    std::string number;
+    std::string amends = {}; ///< number of the certificate that it replaces; empty: none
+    std::string reason = {}; ///< of the amendment: what changed
+    std::string head = {}; ///< SHA-256 of the last entry of the audit trail before issuing
+    std::string resultsSha256 = {}; ///< of results.json beside it
+};
+
+/// Makes the certificate an issued one: number, state, what it replaces, and what it is bound to.
+void markIssued(const CertificateIssue &issue, CertificateData &data);
+
+} // namespace dyncal
