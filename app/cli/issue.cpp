@@ -5,6 +5,7 @@
 #include "app/cli/calibration.h"
 #include "app/cli/console.h"
 #include "app/cli/findings_json.h"
+#include "app/cli/issue_plan.h"
 #include "app/cli/issuing.h"
 #include "app/cli/project_job.h"
 #include "app/cli/registry_options.h"
@@ -16,6 +17,7 @@
 #include "registry/cards/card_filling.h"
 #include "registry/cards/card_register.h"
 
+#include <filesystem>
 #include <iostream>
 #include <memory>
 
@@ -79,6 +81,66 @@ int conclude(const IssuedCertificate &issued, bool json)
     return static_cast<int>(ExitCode::Done);
 }
 
+Result<IssueAnswer> issueJob(ProjectState job, const IssueOptions &options)
+{
+    const Result<Recipe> recipe = chosen(job.recipe, options);
+    if (!recipe)
+        return tl::unexpected<Error>(recipe.error());
+    job.recipe = *recipe;
+    const PipelineOutcome outcome = calibrate(*job.captures, job.recipe);
+    if (outcome.error && outcome.error->kind != ErrorKind::DataBlocked)
+        return tl::unexpected<Error>(*outcome.error);
+    Findings obstacles = issueObstacles(
+        outcome, issuedRecipe(job.recipe, "1", options.order.names), options.order.names);
+    if (!obstacles.empty())
+        return IssueAnswer{{}, std::move(obstacles)};
+    return issueCertificate(job, outcome, options.order).map([](IssuedCertificate issued) {
+        return IssueAnswer{std::move(issued), {}};
+    });
+}
+
+Result<void> checkPlanned(const IssueOrder &order)
+{
+    if (order.amends == 0 && order.number == 0)
+        return {};
+    return fail(ErrorKind::Usage,
+        {DYNCAL_TEXT("core",
+             "--number and --amends are of one certificate, and a plan is of many; issue that sensor's project by itself."),
+            {}});
+}
+
+/// Paths as given hold in the plan's folder too.
+IssueOptions inPlansFolder(IssueOptions options)
+{
+    const auto isAddress = options.order.registry.find("://") != std::string::npos;
+    options.order.output = std::filesystem::absolute(options.order.output).string();
+    if (!options.order.registry.empty() && !isAddress)
+        options.order.registry = std::filesystem::absolute(options.order.registry).string();
+    return options;
+}
+
+int issueAll(const IssueOptions &options)
+{
+    if (const Result<void> planned = checkPlanned(options.order); !planned)
+        return report(planned.error());
+    const IssueOptions absolute = inPlansFolder(options);
+    return issuePlan(
+        options.project, [&](ProjectState job) { return issueJob(std::move(job), absolute); },
+        options.json);
+}
+
+int issueOne(const IssueOptions &options)
+{
+    Result<ProjectState> job = readProjectJob(options.project);
+    if (!job)
+        return report(job.error());
+    const Result<IssueAnswer> answer = issueJob(std::move(*job), options);
+    if (!answer)
+        return report(answer.error());
+    return answer->issued ? conclude(*answer->issued, options.json)
+                          : refuse(answer->obstacles, options.json);
+}
+
 int issue(IssueOptions options)
 {
     const Result<std::string> now = currentUtc();
@@ -87,22 +149,7 @@ int issue(IssueOptions options)
     options.order.names.utc = *now;
     if (const Result<void> whole = checkAmendment(options.order); !whole)
         return report(whole.error());
-    Result<ProjectState> job = readProjectJob(options.project);
-    if (!job)
-        return report(job.error());
-    const Result<Recipe> recipe = chosen(job->recipe, options);
-    if (!recipe)
-        return report(recipe.error());
-    job->recipe = *recipe;
-    const PipelineOutcome outcome = calibrate(*job->captures, job->recipe);
-    if (outcome.error && outcome.error->kind != ErrorKind::DataBlocked)
-        return report(*outcome.error);
-    const Findings obstacles = issueObstacles(
-        outcome, issuedRecipe(job->recipe, "1", options.order.names), options.order.names);
-    if (!obstacles.empty())
-        return refuse(obstacles, options.json);
-    const Result<IssuedCertificate> issued = issueCertificate(*job, outcome, options.order);
-    return issued ? conclude(*issued, options.json) : report(issued.error());
+    return isPlan(options.project) ? issueAll(options) : issueOne(options);
 }
 
 void declareNames(CLI::App &verb, IssueOrder &order)
@@ -123,7 +170,10 @@ void addIssue(CLI::App &program, VerbAction &action)
     const auto options = std::make_shared<IssueOptions>();
     CLI::App *verb = program.add_subcommand(
         "issue", "Issue the certificate of a project: numbered, registered, frozen in DIR/NUMBER/");
-    verb->add_option("project", options->project, "A project")->required()->type_name("PROJECT");
+    verb->add_option("project", options->project,
+            "A project, or the plan of a batch (.jsonl), of which every sensor that is ready is issued")
+        ->required()
+        ->type_name("PROJECT|PLAN");
     verb->add_option("-o,--output", options->order.output, "Folder that gets the folder NUMBER")
         ->required()
         ->type_name("DIR");
@@ -142,7 +192,8 @@ void addIssue(CLI::App &program, VerbAction &action)
     verb->add_flag("--json", options->json, "As JSON");
     verb->footer(
         "Example:\n  dyncal issue job.dyncal -o certificates --by \"A. Berg\"\n"
-        "  dyncal issue job.dyncal -o certificates --amends 17 --reason \"serial number corrected\"");
+        "  dyncal issue job.dyncal -o certificates --amends 17 --reason \"serial number corrected\"\n"
+        "  dyncal issue plan.jsonl -o certificates --by \"A. Berg\"");
     verb->callback([options, &action] { action = [options] { return issue(*options); }; });
 }
 
