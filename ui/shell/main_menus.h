@@ -41,6 +41,7 @@ public:
         std::function<void(int row)> showPage;
         std::function<void(int by)> turnPage; ///< to the next stage or the one before
         std::function<void()> testInstallation;
+        std::function<void()> showBatch;
     };
 
     explicit MainMenus(Parts parts, QObject *parent);

@@ -5,6 +5,7 @@
 
 #include "ui/session/work_state.h"
 #include "ui/shell/banner/banner.h"
+#include "ui/shell/batch/batch_window.h"
 #include "ui/shell/control_focus.h"
 #include "ui/shell/files/source_notice.h"
 #include "ui/shell/findings/finding_answers.h"
@@ -84,7 +85,8 @@ MainWindow::MainWindow(Session::Pipeline pipeline, CurrentUtc currentUtc, Prefer
                             [this] { resetLayout(); }, [this] { m_files->exportPlots(m_pages); },
                             [this](int row) { showPage(row); },
                             [this](int by) { showPage(m_stageList->currentRow() + by); },
-                            [this] { testInstallation(); }},
+                            [this] { testInstallation(); },
+                            [this] { showBatchWindow(*m_files, m_prompts, m_preferences, *this); }},
             this);
     connectSession();
     buildContents();
