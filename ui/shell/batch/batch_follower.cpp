@@ -6,6 +6,7 @@
 #include "ui/text/core_text.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace dyncal {
 
@@ -28,6 +29,7 @@ void BatchFollower::follow(const QString &planPath)
 {
     m_path = planPath;
     m_moment = {};
+    m_problem.clear();
     emit changed();
     lookNow();
 }
@@ -58,7 +60,9 @@ void BatchFollower::take(Result<BatchMoment> now)
         m_moment = std::move(*now);
         emit changed();
     }
-    emit looked(now ? QString() : translated(now.error().message));
+    const QString problem = now ? QString() : translated(now.error().message);
+    if (std::exchange(m_problem, problem) != problem)
+        emit problemChanged(problem);
 }
 
 } // namespace dyncal

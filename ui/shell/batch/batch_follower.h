@@ -31,13 +31,14 @@ public:
 
 signals:
     void changed(); ///< what moment() says
-    void looked(const QString &problem); ///< each time; the sentence of why it failed, or empty
+    void problemChanged(const QString &sentence); ///< why it cannot be read; empty: it can again
 
 private:
     void take(Result<BatchMoment> now);
 
     QString m_path;
     BatchMoment m_moment;
+    QString m_problem;
     QTimer m_pause;
     QElapsedTimer m_since; ///< the last look began
     JobRunner m_job;

@@ -60,7 +60,7 @@ void BatchPlanDialog::addPaths(QFormLayout &form)
     });
     m_recipe = addPath(form, "batchRecipe", tr("&Recipe"), tr("none: the defaults"),
         [this] { return askForJson(tr("Common recipe")); });
-    m_profile = addPath(form, "batchProfile", tr("Pro&file of the laboratory"), tr("none"),
+    m_profile = addPath(form, "batchProfile", tr("Pr&ofile of the laboratory"), tr("none"),
         [this] { return askForJson(tr("Profile of the laboratory")); });
     m_plan = addPath(form, "batchPlanFile", tr("P&lan"), tr("needed, outside the folder"), [this] {
         return m_prompts.saveFile(this, tr("Plan to write"), tr("Plans (*.jsonl)"),

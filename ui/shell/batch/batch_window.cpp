@@ -66,10 +66,7 @@ BatchWindow::BatchWindow(
     connect(m_table, &BatchTable::activated, this, &BatchWindow::openSensor);
     connect(m_table, &BatchTable::selectionChanged, this, &BatchWindow::showWork);
     connect(&m_follower, &BatchFollower::changed, this, &BatchWindow::showMoment);
-    connect(&m_follower, &BatchFollower::looked, this, [this](const QString &problem) {
-        if (!problem.isEmpty())
-            showOutcome(problem);
-    });
+    connect(&m_follower, &BatchFollower::problemChanged, this, &BatchWindow::showOutcome);
     connect(&m_process, &BatchProcess::ended, this, [this](bool isStopped, const QString &problem) {
         showOutcome(!problem.isEmpty() ? problem
                 : isStopped            ? tr("The run was stopped; what is complete is kept.")
@@ -128,7 +125,7 @@ void BatchWindow::showWords()
     m_run->setToolTip(tr("Compute what is not complete yet"));
     m_stop->setText(tr("&Stop"));
     m_stop->setToolTip(tr("Stop in good order; what is complete is kept"));
-    m_open->setText(tr("Open sen&sor"));
+    m_open->setText(tr("O&pen sensor"));
     m_open->setToolTip(tr("Open its recordings and recipe in the main window"));
     m_partial->setText(tr("also if sensors are &missing"));
     m_merge->setText(tr("Write s&ummary..."));
@@ -220,7 +217,7 @@ void BatchWindow::merge()
             return mergeBatch(plan, summary, partial).map([](const auto &) { return true; });
         },
         [this, path](const Result<bool> &written) {
-            showOutcome(written ? tr("Written: %1").arg(shownText(path))
+            showOutcome(written ? tr("Written: %1").arg(shownText(QFileInfo(path).fileName()))
                                 : translated(written.error().message));
         });
     showWork();
@@ -244,7 +241,9 @@ void BatchWindow::showMoment()
 {
     m_table->setMoment(m_follower.moment());
     const QString path = m_follower.planPath();
-    m_plan->setText(path.isEmpty() ? tr("No plan is open.") : shownText(path));
+    m_plan->setText(
+        path.isEmpty() ? tr("No plan is open.") : shownText(QFileInfo(path).fileName()));
+    m_plan->setToolTip(shownText(path));
     showWork();
 }
 
