@@ -20,7 +20,7 @@ set(rooms_of_registry trail store cards certificates issued)
 set(rooms_of_ui text session plot/values plot/curves plot/qcp plot/widget report
     stages/frame stages/candidates stages/shock stages/window stages/spectrum stages/model
     stages/order stages/uncertainty stages/comparison stages
-    shell/banner shell/preferences shell/import shell/findings shell/files shell/recovery
+    shell/banner shell/preferences shell/import shell/findings shell/files shell/batch shell/recovery
     shell/correction shell)
 
 function(check_room layer file line)

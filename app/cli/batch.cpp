@@ -48,14 +48,6 @@ int exitCodeOf(const BatchTally &tally)
         tally.count(Cautions) > 0 ? ExitCode::DoneWithCautions : ExitCode::Done);
 }
 
-BatchTally tallyOf(const std::vector<SensorStanding> &standings)
-{
-    BatchTally tally;
-    for (const SensorStanding &standing : standings)
-        tally.add(standing.record.state);
-    return tally;
-}
-
 /// Sentences about sensors: those that have a reason.
 void printReasons(std::ostream &out, const std::vector<SensorStanding> &standings)
 {
@@ -122,18 +114,11 @@ int showStatus(const BatchOptions &options)
 
 int mergeIt(const BatchOptions &options)
 {
-    const Result<BatchPlan> plan = readPlan(options.plan);
-    if (!plan)
-        return report(plan.error());
-    const Result<std::vector<SensorStanding>> standings
-        = standingsToMerge(folderOfPlan(options.plan), *plan, options.partial);
-    if (!standings)
-        return report(standings.error());
-    if (const Result<void> written = writeSummaryFile(options.output, *standings); !written)
-        return report(written.error());
-    const BatchTally tally = tallyOf(*standings);
-    std::cout << tallyText(tally) << "\nWritten:\n  " << presentable(options.output) << '\n';
-    return exitCodeOf(tally);
+    const Result<BatchTally> tally = mergeBatch(options.plan, options.output, options.partial);
+    if (!tally)
+        return report(tally.error());
+    std::cout << tallyText(*tally) << "\nWritten:\n  " << presentable(options.output) << '\n';
+    return exitCodeOf(*tally);
 }
 
 std::string absolutePath(const std::string &path)

@@ -9,27 +9,13 @@
 #include "app/cli/console.h"
 
 #include "core/base/foreign_text.h"
+#include "core/batch/batch_planning.h"
 #include "core/batch/sensor_place.h"
 
-#include <algorithm>
 #include <iostream>
 
 namespace dyncal {
 namespace {
-
-Result<void> checkMethods(const BatchPlan &plan)
-{
-    const MethodVersions own = methodVersions();
-    const auto other = std::ranges::find_if(plan, [&own](const PlannedSensor &sensor) {
-        return sensor.obstacle.empty() && sensor.methods != own;
-    });
-    if (other == plan.end())
-        return {};
-    return fail(ErrorKind::Usage,
-        {DYNCAL_TEXT("core",
-             "The plan was made for other versions of the methods than this program has (first for %1); make the plan anew, then what changed is computed again."),
-            {other->id}});
-}
 
 void say(const std::string &id, const std::string &sentence)
 {

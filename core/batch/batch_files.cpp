@@ -97,4 +97,19 @@ Result<void> writeSummaryFile(const std::string &path, const std::vector<SensorS
     return writeOver(path, batchSummaryCsv(standings), kMarkOfSummary);
 }
 
+Result<BatchTally> mergeBatch(
+    const std::string &planPath, const std::string &summaryPath, bool partial)
+{
+    const Result<BatchPlan> plan = readPlan(planPath);
+    if (!plan)
+        return tl::unexpected<Error>(plan.error());
+    const Result<std::vector<SensorStanding>> standings
+        = standingsToMerge(folderOfPlan(planPath), *plan, partial);
+    if (!standings)
+        return tl::unexpected<Error>(standings.error());
+    if (const Result<void> written = writeSummaryFile(summaryPath, *standings); !written)
+        return tl::unexpected<Error>(written.error());
+    return tallyOf(*standings);
+}
+
 } // namespace dyncal

@@ -29,4 +29,9 @@ Result<std::vector<SensorStanding>> standingsToMerge(
 Result<void> writeSummaryFile(
     const std::string &path, const std::vector<SensorStanding> &standings);
 
+/// Writes the summary of the plan at `planPath`: how many sensors stand where in it. Fails as
+/// readPlan, standingsToMerge and writeSummaryFile.
+Result<BatchTally> mergeBatch(
+    const std::string &planPath, const std::string &summaryPath, bool partial);
+
 } // namespace dyncal

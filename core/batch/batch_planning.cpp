@@ -148,6 +148,20 @@ Result<BatchPlan> planBatch(const BatchRequest &request, const JobControl &contr
     return plan;
 }
 
+Result<void> checkMethods(const BatchPlan &plan)
+{
+    const MethodVersions own = methodVersions();
+    const auto other = std::ranges::find_if(plan, [&own](const PlannedSensor &sensor) {
+        return sensor.obstacle.empty() && sensor.methods != own;
+    });
+    if (other == plan.end())
+        return {};
+    return fail(ErrorKind::Usage,
+        {DYNCAL_TEXT("core",
+             "The plan was made for other versions of the methods than this program has (first for %1); make the plan anew, then what changed is computed again."),
+            {other->id}});
+}
+
 std::string planText(const BatchPlan &plan)
 {
     std::string text;

@@ -29,6 +29,9 @@ struct BatchRequest
 /// for.
 Result<BatchPlan> planBatch(const BatchRequest &request, const JobControl &control = {});
 
+/// Fails (Usage) if a sensor was planned for other versions of the methods than this program has.
+Result<void> checkMethods(const BatchPlan &plan);
+
 /// The plan as the text of its file.
 std::string planText(const BatchPlan &plan);
 

@@ -39,15 +39,21 @@ std::string tallyText(const BatchTally &tally)
         + counted(SensorState::Missing, " missing");
 }
 
-std::string statusJson(const std::vector<SensorStanding> &standings)
+BatchTally tallyOf(const std::vector<SensorStanding> &standings)
 {
     BatchTally tally;
-    StatusJson others = StatusJson::array();
-    for (const SensorStanding &standing : standings) {
+    for (const SensorStanding &standing : standings)
         tally.add(standing.record.state);
+    return tally;
+}
+
+std::string statusJson(const std::vector<SensorStanding> &standings)
+{
+    const BatchTally tally = tallyOf(standings);
+    StatusJson others = StatusJson::array();
+    for (const SensorStanding &standing : standings)
         if (standing.record.state != SensorState::Done)
             others.push_back(standingJson(standing));
-    }
     StatusJson json{{"schema", "dyncal-batch-status/1"}, {"sensors", tally.total()},
         {"not_done", std::move(others)}};
     for (int i = 0; i < kSensorStates; ++i)

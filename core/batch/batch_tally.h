@@ -30,7 +30,11 @@ struct SensorStanding
 {
     std::string id;
     SensorOutcome record;
+
+    bool operator==(const SensorStanding &) const = default;
 };
+
+BatchTally tallyOf(const std::vector<SensorStanding> &standings);
 
 /// JSON, schema "dyncal-batch-status/1": the counts, and id, state and reason of every sensor that
 /// is not done, in the order of the plan.

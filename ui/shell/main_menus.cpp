@@ -98,6 +98,7 @@ void MainMenus::addFileMenu()
     connect(m_recent, &QMenu::aboutToShow, this, &MainMenus::fillRecent);
     addAction(menu, "useProfileAction", tr("Use pro&file of the laboratory..."), {},
         [=] { files->useProfile(); });
+    addAction(menu, "batchAction", tr("&Batch..."), QKeySequence("Ctrl+B"), m_parts.showBatch);
     menu->addSeparator();
     addAction(menu, "saveAction", tr("&Save"), QKeySequence::Save, [=] { files->save(); });
     addAction(menu, "saveAsAction", tr("Save &as..."), QKeySequence("Ctrl+Shift+S"),

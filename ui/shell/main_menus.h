@@ -42,6 +42,7 @@ public:
         std::function<void()> savePlots; ///< of all pages
         std::function<void(int row)> showPage;
         std::function<void(int by)> turnPage; ///< to the next stage or the one before
+        std::function<void()> showBatch;
         ToolWindows &tools;
     };
 

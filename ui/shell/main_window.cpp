@@ -5,6 +5,7 @@
 
 #include "ui/session/work_state.h"
 #include "ui/shell/banner/banner.h"
+#include "ui/shell/batch/batch_window.h"
 #include "ui/shell/control_focus.h"
 #include "ui/shell/files/source_notice.h"
 #include "ui/shell/findings/finding_answers.h"
@@ -79,13 +80,14 @@ MainWindow::MainWindow(Session::Pipeline pipeline, CurrentUtc currentUtc, Prefer
     setMinimumSize(kSmallestSize);
     buildCentre();
     buildDocks();
-    m_menus
-        = new MainMenus({*this, m_session, *m_files, m_preferences, m_language,
-                            {{m_stagesDock, "F5"}, {m_inspectorDock, "F4"}, {m_findingsDock, "F6"}},
-                            [this] { resetLayout(); }, [this] { m_files->exportPlots(m_pages); },
-                            [this](int row) { showPage(row); },
-                            [this](int by) { showPage(m_stageList->currentRow() + by); }, *m_tools},
-            this);
+    m_menus = new MainMenus(
+        {*this, m_session, *m_files, m_preferences, m_language,
+            {{m_stagesDock, "F5"}, {m_inspectorDock, "F4"}, {m_findingsDock, "F6"}},
+            [this] { resetLayout(); }, [this] { m_files->exportPlots(m_pages); },
+            [this](int row) { showPage(row); },
+            [this](int by) { showPage(m_stageList->currentRow() + by); },
+            [this] { showBatchWindow(*m_files, m_prompts, m_preferences, *this); }, *m_tools},
+        this);
     connectSession();
     buildContents();
     keepFocusInView(*this);

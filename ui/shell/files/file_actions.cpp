@@ -287,6 +287,28 @@ void FileActions::restoreWork(const RecoveredWork &work, const QString &recordin
         [this](double done) { emit progress(done); });
 }
 
+void FileActions::openSensor(const std::string &planFolder, const PlannedSensor &sensor)
+{
+    if (m_exports.refuses() || !mayDiscard())
+        return;
+    m_captures.cancel(); // recordings that arrive later would be added to the sensor's
+    emit busy(tr("Opening the sensor"));
+    m_jobs.start<OpenedSensor>(
+        [planFolder, sensor](
+            const JobControl &control) { return dyncal::openSensor(planFolder, sensor, control); },
+        [this](const Result<OpenedSensor> &opened) {
+            if (!opened) {
+                showProblem(opened.error());
+                return;
+            }
+            emit idle(tr("The sensor is open"));
+            if (opened->state.hasShots())
+                startJob(opened->state, {});
+            emit m_captures.problemsChanged(opened->paths, opened->problems);
+        },
+        [this](double done) { emit progress(done); });
+}
+
 bool FileActions::save()
 {
     return m_path.isEmpty() ? saveAs() : saveTo(m_path, m_onDisk);

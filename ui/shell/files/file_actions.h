@@ -6,6 +6,7 @@
 #include "ui/session/current_utc.h"
 #include "ui/session/project_file.h"
 #include "ui/session/recovery_store.h"
+#include "ui/session/sensor_opening.h"
 #include "ui/session/session.h"
 #include "ui/shell/files/export_actions.h"
 #include "ui/shell/files/plot_export_actions.h"
@@ -42,6 +43,8 @@ public:
     /// are not where they were are looked for in the folder `recordings`. Emits workRestored or
     /// restoreFailed; neither if the operator keeps what is open.
     void restoreWork(const RecoveredWork &work, const QString &recordings = {});
+    /// Opens a sensor of a batch as a new job: its recordings with its recipe (openSensor()).
+    void openSensor(const std::string &planFolder, const PlannedSensor &sensor);
     void useProfile(); ///< asks for a laboratory's profile and puts it over the recipe
     bool save();
     bool saveAs();
