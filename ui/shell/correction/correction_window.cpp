@@ -182,8 +182,8 @@ void CorrectionWindow::correct()
     if (!task)
         return fail(task.error());
     if (m_form->choice().isOfProject) {
-        if (const Message why = ExportActions::whyNoResults(m_session); why.text)
-            return fail({ErrorKind::Usage, why, {}, 0});
+        if (const auto why = ExportActions::whyNoResults(m_session))
+            return fail({ErrorKind::Usage, *why, {}, 0});
         const Result<std::string> created = m_currentUtc();
         if (!created)
             return fail(created.error());
