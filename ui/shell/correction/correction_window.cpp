@@ -3,6 +3,7 @@
 
 #include "ui/shell/correction/correction_window.h"
 
+#include "core/capture/source_check.h"
 #include "ui/session/session.h"
 #include "ui/shell/correction/correction_form.h"
 #include "ui/shell/correction/correction_view.h"
@@ -222,6 +223,8 @@ void CorrectionWindow::save()
     m_job.start<Paths>(
         [folder = folder.toStdString(), report = *m_report, results = m_resultsOfReport](
             const JobControl &control) -> Result<Paths> {
+            if (const Result<void> same = checkSources(*report.captures); !same)
+                return tl::unexpected<Error>(same.error());
             Result<FolderWrite> target
                 = FolderWrite::begin(correctionFolder(folder, *report.captures, {results}));
             if (!target)

@@ -63,8 +63,8 @@ std::optional<Message> ExportActions::whyNoResults(const Session &session)
         return because(DYNCAL_TEXT("core",
             "The results are out of date because the computation was cancelled; press F9 to compute them again."));
     if (!session.results().model)
-        return because(DYNCAL_TEXT("core",
-            "There is no model yet: open recordings and clear what blocks the stages."));
+        return because(DYNCAL_TEXT(
+            "core", "There is no model yet: open recordings and clear what blocks the stages."));
     return std::nullopt;
 }
 
