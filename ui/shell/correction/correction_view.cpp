@@ -74,7 +74,7 @@ QString filterSentence(const CorrectionFilter &filter)
         .arg(shownQuantity(filter.lowPass.band_Hz, Hz), shownQuantity(filter.lowPass.edge_Hz, Hz),
             shownQuantity(filter.delay_s(), QStringLiteral("s")),
             QString::number(filter.delaySamples), QString::number(filter.taps.size()),
-            shownNumber(filter.gain()) + QLatin1Char(' ') + shownText(filter.unit),
+            shownQuantity(filter.gain(), shownText(filter.unit)),
             shownNumber(filter.noiseAmplification(), kFactorDigits));
 }
 

@@ -3,6 +3,7 @@
 
 #include "ui/shell/correction/correction_window.h"
 
+#include "core/capture/source_check.h"
 #include "ui/session/session.h"
 #include "ui/shell/correction/correction_form.h"
 #include "ui/shell/correction/correction_view.h"
@@ -182,8 +183,8 @@ void CorrectionWindow::correct()
     if (!task)
         return fail(task.error());
     if (m_form->choice().isOfProject) {
-        if (const Message why = ExportActions::whyNoResults(m_session); why.text)
-            return fail({ErrorKind::Usage, why, {}, 0});
+        if (const auto why = ExportActions::whyNoResults(m_session))
+            return fail({ErrorKind::Usage, *why, {}, 0});
         const Result<std::string> created = m_currentUtc();
         if (!created)
             return fail(created.error());
@@ -222,6 +223,8 @@ void CorrectionWindow::save()
     m_job.start<Paths>(
         [folder = folder.toStdString(), report = *m_report, results = m_resultsOfReport](
             const JobControl &control) -> Result<Paths> {
+            if (const Result<void> same = checkSources(*report.captures); !same)
+                return tl::unexpected<Error>(same.error());
             Result<FolderWrite> target
                 = FolderWrite::begin(correctionFolder(folder, *report.captures, {results}));
             if (!target)

@@ -51,31 +51,29 @@ bool ExportActions::refusesRecording(const QString &path)
     return true;
 }
 
-Message ExportActions::whyNoResults(const Session &session)
+std::optional<Message> ExportActions::whyNoResults(const Session &session)
 {
+    const auto because = [](const char *sentence) { return Message{sentence, {}}; };
     if (const Result<void> same = checkSources(*session.state().captures); !same)
         return same.error().message;
     if (session.isComputing())
-        return {DYNCAL_TEXT("core", "The results are still being computed; try again in a moment."),
-            {}};
+        return because(
+            DYNCAL_TEXT("core", "The results are still being computed; try again in a moment."));
     if (!session.isUpToDate())
-        return {
-            DYNCAL_TEXT("core",
-                "The results are out of date because the computation was cancelled; press F9 to compute them again."),
-            {}};
+        return because(DYNCAL_TEXT("core",
+            "The results are out of date because the computation was cancelled; press F9 to compute them again."));
     if (!session.results().model)
-        return {DYNCAL_TEXT("core",
-                    "There is no model yet: open recordings and clear what blocks the stages."),
-            {}};
-    return {};
+        return because(DYNCAL_TEXT(
+            "core", "There is no model yet: open recordings and clear what blocks the stages."));
+    return std::nullopt;
 }
 
 bool ExportActions::hasResults()
 {
-    const Message why = whyNoResults(m_session);
-    if (why.text)
-        m_prompts.showProblem(m_window, translated(why));
-    return !why.text;
+    const std::optional<Message> why = whyNoResults(m_session);
+    if (why)
+        m_prompts.showProblem(m_window, translated(*why));
+    return !why;
 }
 
 PipelineOutcome ExportActions::outcome() const

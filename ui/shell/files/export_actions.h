@@ -27,8 +27,8 @@ public:
     void exportModel();
 
     /// Why no results may leave the program now: they are not there, not those of the settings on
-    /// the screen, or the recordings are not the files that were opened. Without text: they may.
-    static Message whyNoResults(const Session &session);
+    /// the screen, or the recordings are not the files that were opened. Empty: they may.
+    static std::optional<Message> whyNoResults(const Session &session);
 
     bool isRunning() const { return m_job.isRunning(); }
     bool refuses(); ///< true, with a message, while something is being written

@@ -38,18 +38,18 @@ constexpr int kPatience_ms = 120'000;
 constexpr double kRate_Hz = 5e6;
 constexpr double kPeak_Pa = 1e5;
 
-/// A pulse as the sensor of MadeResults records it, with the noise of a converter, and another
-/// channel that recorded half of it.
-QByteArray pulseTable(Index count = 6000)
+/// A pulse as the sensor of MadeResults records it, with the noise of a converter, perhaps beside
+/// another channel that recorded half of it.
+QByteArray pulseTable(Index count = 6000, bool isBeside = false)
 {
     const Eigen::VectorXd record
         = TrueSensor().recordOf(kPeak_Pa * burst(count, kRate_Hz, 700e-6, 20e-6, 0.0), kRate_Hz);
-    QByteArray text("time (s),blast (V),side (V)\n");
+    QByteArray text(isBeside ? "time (s),blast (V),side (V)\n" : "time (s),blast (V)\n");
     for (Index n = 0; n < count; ++n) {
         const double volt = record[n] + 1e-7 * (double((n * 7919) % 13) - 6.0);
         text += QByteArray::number(double(n) / kRate_Hz, 'g', 12) + ','
-            + QByteArray::number(volt, 'g', 12) + ',' + QByteArray::number(0.5 * volt, 'g', 12)
-            + '\n';
+            + QByteArray::number(volt, 'g', 12)
+            + (isBeside ? ',' + QByteArray::number(0.5 * volt, 'g', 12) : QByteArray()) + '\n';
     }
     return text;
 }
@@ -244,13 +244,14 @@ void TestCorrectionWindow::options_areThoseOfTheCommandLine()
         0);
     compareFolders(bench.path("cli"), bench.path("window"));
     bench.type("correctionEdge", "");
+    bench.type("correctionDelay", "");
     bench.choose("correctionLowPass", 1);
     bench.correct();
+    QVERIFY2(bench.verdict().startsWith("Corrected"), qPrintable(bench.verdict()));
     bench.save("window");
-    QCOMPARE(
-        commandLine({"correct", bench.path("pulse.csv"), "--with", bench.path("results.json"),
-            "--band", "120e3", "--low-pass", "two-pole", "--delay", "60e-6", "--window",
-            "0.5e-3,0.9e-3", "--quiet", "0,0.4e-3", "--beyond", "70", "-o", bench.path("cli")}),
+    QCOMPARE(commandLine({"correct", bench.path("pulse.csv"), "--with", bench.path("results.json"),
+                 "--band", "120e3", "--low-pass", "two-pole", "--window", "0.5e-3,0.9e-3",
+                 "--quiet", "0,0.4e-3", "--beyond", "70", "-o", bench.path("cli")}),
         0);
     compareFolders(bench.path("cli"), bench.path("window"));
 }
@@ -393,10 +394,12 @@ void TestCorrectionWindow::cautionsOfTheCalibration_areShown()
 void TestCorrectionWindow::otherChannel_canBeChosen()
 {
     CorrectionBench bench;
+    test::writeFile(bench.path("pulse.csv"), pulseTable(6000, true));
     bench.correctPulse();
     const auto *box = bench.find<QComboBox>("correctionChannel");
     QCOMPARE(box->count(), 3);
     QCOMPARE(box->itemText(2), QString("side"));
+    QVERIFY(bench.verdict().startsWith("Nothing was corrected")); // which of them is the sensor?
     bench.choose("correctionChannel", 2);
     QVERIFY(!bench.button("correctionSave")->isEnabled());
     bench.correct();
@@ -565,7 +568,8 @@ void TestCorrectionWindow::everyLook_canBeRead()
                 QTest::qWait(200);
                 const QString look
                     = QString("%1-%2-%3").arg(language, themeName(theme)).arg(size.width());
-                for (const QString &fault : test::LayoutFaults(*bench.dialog).found())
+                const test::LayoutFaults found(*bench.dialog);
+                for (const QString &fault : found.found())
                     faults << look + ": " + fault;
                 if (!shots.isEmpty())
                     QVERIFY(bench.dialog->grab().save(QDir(shots).filePath(look + ".png")));
