@@ -8880,6 +8880,14 @@ steget</translation>
         <source>The registry %1 holds a row that is no card; see dyncal verify, and take a copy from before.</source>
         <translation>Registret %1 innehåller en rad som inte är något kort; se dyncal verify, och ta en tidigare kopia.</translation>
     </message>
+    <message>
+        <source>This job has number %1 already, which is %2; leave --number out.</source>
+        <translation>Detta jobb har redan nummer %1, som är %2; utelämna --number.</translation>
+    </message>
+    <message>
+        <source>The table %1 holds values of another kind.</source>
+        <translation>Tabellen %1 innehåller värden av annat slag.</translation>
+    </message>
 </context>
 <context>
     <name>dyncal::ArrivalPanel</name>
