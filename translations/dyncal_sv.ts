@@ -8972,6 +8972,14 @@ steget</translation>
         <source>%1 could not be planned, so there is nothing to open (%2); mend that and make the plan anew.</source>
         <translation>%1 kunde inte planeras, så det finns inget att öppna (%2); åtgärda det och gör om planen.</translation>
     </message>
+    <message>
+        <source>This job has number %1 already, which is %2; leave --number out.</source>
+        <translation>Detta jobb har redan nummer %1, som är %2; utelämna --number.</translation>
+    </message>
+    <message>
+        <source>The table %1 holds values of another kind.</source>
+        <translation>Tabellen %1 innehåller värden av annat slag.</translation>
+    </message>
 </context>
 <context>
     <name>dyncal::ArrivalPanel</name>

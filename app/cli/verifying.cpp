@@ -210,6 +210,10 @@ std::vector<Verified> verifyOne(
             all.push_back(verifyFolder(file, registry, options));
         return all;
     }
+    if (!fs::exists(file, ignored))
+        return {unreadable({.file = file, .kind = "file"},
+            {ErrorKind::FileUnreadable,
+                {DYNCAL_TEXT("core", "The file %1 does not exist."), {file}}, {}, 0})};
     const std::string extension = fs::path(file).extension().string();
     if (extension == ".dyncal")
         return {verifyProject(file)};

@@ -18,7 +18,9 @@ constexpr std::size_t kLongestName = 200;
 
 std::string cellOf(const std::string &text)
 {
-    const std::string shown = spreadsheetText(text);
+    // As presentable as in every table, with its line breaks: addresses have them.
+    const bool isGuarded = spreadsheetText(text).starts_with('\'') && !text.starts_with('\'');
+    const std::string shown = (isGuarded ? "'" : "") + presentable(text, LineBreaks::Keep);
     if (shown.find_first_of("\",;\n\r") == shown.npos)
         return shown;
     std::string quoted = "\"";

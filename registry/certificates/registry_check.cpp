@@ -51,6 +51,33 @@ Result<Difference> checkDatabase(RegistryDatabase &database)
         : Difference({DYNCAL_TEXT("core", "A table is missing (%1)."), {*made.begin()}});
 }
 
+/// SQLite keeps bytes in a column of texts too, and they read the same: every value must be of the
+/// kind of its column.
+Result<Difference> checkKinds(RegistryDatabase &database)
+{
+    if (database.address().isServer())
+        return Difference();
+    for (const QString table : {"registry_schema", "counters", "trail", "certificates", "cards"}) {
+        const auto columns
+            = database.run("SELECT name, type FROM pragma_table_info('" + table + "')");
+        if (!columns)
+            return tl::unexpected<Error>(columns.error());
+        QStringList wrong;
+        for (const Row &column : *columns)
+            wrong << QString("typeof(%1) <> '%2'")
+                         .arg(column[0].toString(),
+                             column[1].toString() == "BIGINT" ? "integer" : "text");
+        const auto found
+            = database.run("SELECT count(*) FROM " + table + " WHERE " + wrong.join(" OR "));
+        if (!found)
+            return tl::unexpected<Error>(found.error());
+        if (found->front().front().toLongLong() > 0)
+            return Difference({DYNCAL_TEXT("core", "The table %1 holds values of another kind."),
+                {table.toStdString()}});
+    }
+    return Difference();
+}
+
 Result<Difference> checkVersion(RegistryDatabase &database)
 {
     const auto rows = database.run("SELECT version FROM registry_schema");
@@ -181,6 +208,8 @@ Result<RegistryCheck> checkRegistry(CertificateRegister &registry)
     Result<Difference> found = checkDatabase(database);
     if (found && !*found)
         found = checkVersion(database);
+    if (found && !*found)
+        found = checkKinds(database);
     if (!found)
         return tl::unexpected<Error>(found.error());
     check.firstDifference = *found;

@@ -23,17 +23,22 @@ struct RegistryDatabase::Private
 {
     RegistryAddress address;
     std::unique_ptr<QCoreApplication> application; ///< drivers are plugins, which need one
+    QtMessageHandler messages = nullptr; ///< those before, where the application is ours
     QString name; ///< of the connection
 
     ~Private()
     {
         QSqlDatabase::database(name, false).close();
         QSqlDatabase::removeDatabase(name);
+        if (application)
+            qInstallMessageHandler(messages);
     }
     QSqlDatabase connection() const { return QSqlDatabase::database(name, false); }
 };
 
 namespace {
+
+void ignoreMessage(QtMsgType, const QMessageLogContext &, const QString &) { }
 
 std::unique_ptr<QCoreApplication> neededApplication()
 {
@@ -151,6 +156,8 @@ Result<RegistryDatabase> RegistryDatabase::open(
     auto opened = std::make_unique<Private>();
     opened->address = address;
     opened->application = neededApplication();
+    if (opened->application) // the sentence of an error says what Qt would say about it
+        opened->messages = qInstallMessageHandler(ignoreMessage);
     opened->name = QString("registry-%1").arg(++count);
     if (const Result<void> driver = checkDriver(address); !driver)
         return tl::unexpected<Error>(driver.error());

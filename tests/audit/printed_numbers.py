@@ -11,6 +11,7 @@ decimals that are printed, U = k u within its last digit and with two digits, k 
 one differs, or where a value of the key results has no U or k.
 """
 import json
+import math
 import re
 import subprocess
 import sys
@@ -29,6 +30,13 @@ NUMBER = r"(-?\d+(?:\.\d+)?)"
 UNIT = r"(?: ?([GMkm\u00b5\u03bcnp]?)(Hz|s|V/Pa|%|rad|V|A/Pa|1/Pa))?"
 # A label, then value, U and k at the end of the line.
 ROW = re.compile(rf"^(.*?)\s{{2,}}{NUMBER}{UNIT}\s{{2,}}{NUMBER}{UNIT}\s{{2,}}(\d+(?:\.\d+)?)\s*$")
+
+
+# A row of S(f): frequency, magnitude, U, phase, U.
+RESPONSE = re.compile(rf"^{NUMBER} ([GMk]?)Hz\s{{2,}}{NUMBER}{UNIT}\s{{2,}}{NUMBER}{UNIT}"
+                      rf"\s{{2,}}{NUMBER} \u00b0\s{{2,}}{NUMBER} \u00b0")
+DEGREE = math.pi / 180.0
+SAME_FREQUENCY = 6e-4  # printed with four digits
 
 
 def decimals(text):
@@ -66,6 +74,36 @@ def check_row(label, value, u, k, stated, errors):
         errors.append(f"{label}: value {value[0]} and U {u[0]} are not rounded alike to two digits")
 
 
+def nearest_row(frequency, response):
+    """Number of the row at a printed frequency; None where there is none."""
+    row = min(range(len(response["frequency_hz"])), key=lambda i: abs(response["frequency_hz"][i] - frequency))
+    return row if abs(response["frequency_hz"][row] / frequency - 1.0) < SAME_FREQUENCY else None
+
+
+def check_response(text, response, errors):
+    """Every row of S(f); how many were found."""
+    seen = set()
+    for match in filter(None, (RESPONSE.match(line.strip()) for line in text.splitlines())):
+        f, f_prefix, value, prefix, _, u, u_prefix, _, phase, u_phase = match.groups()
+        row = nearest_row(float(f) * PREFIXES[f_prefix], response)
+        if row is None:
+            errors.append(f"{f} {f_prefix}Hz: no such row")
+            continue
+        seen.add(row)
+        for kind, printed, expanded in (
+                ("magnitude", (value, PREFIXES[prefix or ""]), (u, PREFIXES[u_prefix or ""])),
+                ("phase_rad", (phase, DEGREE), (u_phase, DEGREE))):
+            factor = max(2.0, response["k_" + kind.split("_")[0]][row])
+            if not agrees(printed, response[kind][row]):
+                errors.append(f"{f} {f_prefix}Hz, {kind}: printed {printed[0]}, stated {response[kind][row]}")
+            if not agrees(expanded, factor * response["u_" + kind][row]):
+                errors.append(f"{f} {f_prefix}Hz, U of {kind}: printed {expanded[0]}, "
+                              f"stated {factor * response['u_' + kind][row]}")
+    stated = [i for i, value in enumerate(response["magnitude"]) if value is not None]
+    errors += [f"{response['frequency_hz'][i]} Hz: not found on the certificate" for i in stated if i not in seen]
+    return len(seen)
+
+
 def main():
     if len(sys.argv) != 2:
         sys.exit(__doc__)
@@ -87,7 +125,8 @@ def main():
         row = stated.get(quantity, results["sensitivity"])
         if row["value"] is not None and row["u"] is not None and quantity not in seen:
             errors.append(f"{quantity}: not found on the certificate")
-    print(f"{len(seen)} printed results compared with results.json, {len(errors)} differ")
+    rows = check_response(text, results["response"], errors)
+    print(f"{len(seen)} printed results and {rows} rows of S(f) compared with results.json, {len(errors)} differ")
     for error in errors:
         print(error)
     sys.exit(1 if errors else 0)

@@ -35,7 +35,7 @@ inline QJsonObject completeRecipe()
                             QJsonArray{reference("p1_pa", 50.0), reference("t1_k", 0.2),
                                 reference("distance_m", 2e-4), reference("gain_relative", 1e-3),
                                 reference("clock_relative", 1e-5)}},
-                {"monte_carlo_trials", 100}}},
+                {"monte_carlo_trials", 1000}}},
         {"certificate", QJsonObject{{"fields", completeFields()}}}};
 }
 

@@ -139,6 +139,8 @@ private slots:
         row("card", "INSERT INTO cards VALUES ('sensor', 'x', '{}', 1)", "The row of sensor x");
         row("table", "CREATE TABLE more (x TEXT)", "A table is not as the program makes it");
         row("index", "CREATE INDEX more ON trail (who)", "A table is not as the program makes it");
+        row("kind", "UPDATE trail SET who = CAST(who AS BLOB) WHERE sequence = 3",
+            "The table trail holds values of another kind");
         row("version", "UPDATE registry_schema SET version = 9", "The version of the tables");
     }
 
