@@ -8874,10 +8874,6 @@ steget</translation>
         <translation>Gemensamt recept</translation>
     </message>
     <message>
-        <source>Pro&amp;file of the laboratory</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>none</source>
         <translation>ingen</translation>
     </message>
@@ -8912,6 +8908,10 @@ steget</translation>
     <message>
         <source>Choose: %1</source>
         <translation>Välj: %1</translation>
+    </message>
+    <message>
+        <source>Pr&amp;ofile of the laboratory</source>
+        <translation>Lab&amp;oratoriets profil</translation>
     </message>
 </context>
 <context>
@@ -9003,10 +9003,6 @@ steget</translation>
         <translation>Stoppa i god ordning; det som är klart är kvar</translation>
     </message>
     <message>
-        <source>Open sen&amp;sor</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Open its recordings and recipe in the main window</source>
         <translation>Öppna dess registreringar och recept i huvudfönstret</translation>
     </message>
@@ -9065,6 +9061,10 @@ steget</translation>
     <message>
         <source>No plan is open.</source>
         <translation>Ingen plan är öppen.</translation>
+    </message>
+    <message>
+        <source>O&amp;pen sensor</source>
+        <translation>Öppna &amp;givare</translation>
     </message>
 </context>
 <context>
