@@ -13430,6 +13430,10 @@ steget</translation>
         <source>Choose: %1</source>
         <translation>Välj: %1</translation>
     </message>
+    <message>
+        <source>Pr&amp;ofile of the laboratory</source>
+        <translation>Lab&amp;oratoriets profil</translation>
+    </message>
 </context>
 <context>
     <name>dyncal::BatchProcess</name>
@@ -13582,6 +13586,10 @@ steget</translation>
     <message>
         <source>No plan is open.</source>
         <translation>Ingen plan är öppen.</translation>
+    </message>
+    <message>
+        <source>O&amp;pen sensor</source>
+        <translation>Öppna &amp;givare</translation>
     </message>
 </context>
 </TS>

@@ -17,7 +17,7 @@ namespace dyncal {
 
 namespace {
 
-constexpr int kWidthOfColumns_chars[BatchModel::kColumns]{18, 12, 26, 22, 28, 26, 40};
+constexpr int kWidthOfColumns_chars[BatchModel::kColumns]{20, 17, 34, 30, 34, 32, 40};
 
 } // namespace
 
