@@ -20,7 +20,7 @@ namespace {
 
 using Files = std::map<std::string, std::string>;
 
-std::string numberText(Index number)
+std::string certificateNumber(Index number)
 {
     return number > 0 ? std::to_string(number) : std::string();
 }
@@ -31,8 +31,8 @@ NumberRequest requestOf(
     const auto customer = job.recipe.certificate.fields.find("customer");
     NumberRequest request;
     request.job = jobOf(*job.captures);
-    request.jobSha256
-        = jobSha256(*job.captures, job.recipe, order.names, numberText(order.amends), order.reason);
+    request.jobSha256 = jobSha256(
+        *job.captures, job.recipe, order.names, certificateNumber(order.amends), order.reason);
     request.utc = order.names.utc;
     request.by = issuerOf(job.recipe, order.names);
     request.reviewedBy = order.names.reviewedBy;
@@ -77,8 +77,8 @@ Result<Files> filesOf(
     keepSource(recipe.chain, files);
     if (recipe.comparison.enabled)
         keepSource(recipe.comparison, files);
-    const CertificateIssue issue{number, numberText(record.amends), record.reason, record.head,
-        sha256Hex(std::string_view(files["results.json"]))};
+    const CertificateIssue issue{number, certificateNumber(record.amends), record.reason,
+        record.head, sha256Hex(std::string_view(files["results.json"]))};
     Result<std::vector<DrawnFile>> drawn
         = drawWithoutWindow(outcome.results, recipe, record.reservedUtc, issue);
     if (!drawn)
