@@ -2,6 +2,52 @@
 <!DOCTYPE TS>
 <TS version="2.1" language="sv">
 <context>
+    <name>BatchWords</name>
+    <message>
+        <source>%1, shot %2</source>
+        <translation>%1, skott %2</translation>
+    </message>
+    <message>
+        <source>failed</source>
+        <translation>misslyckad</translation>
+    </message>
+    <message>
+        <source>blocked</source>
+        <translation>blockerad</translation>
+    </message>
+    <message>
+        <source>cautions</source>
+        <translation>varningar</translation>
+    </message>
+    <message>
+        <source>running</source>
+        <translation>beräknas</translation>
+    </message>
+    <message>
+        <source>missing</source>
+        <translation>saknas</translation>
+    </message>
+    <message>
+        <source>done</source>
+        <translation>klar</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n sensor(s)</source>
+        <translation>
+            <numerusform>%n givare</numerusform>
+            <numerusform>%n givare</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1 (and %2 more)</source>
+        <translation>%1 (och %2 till)</translation>
+    </message>
+    <message>
+        <source> (k = %1)</source>
+        <translation> (k = %1)</translation>
+    </message>
+</context>
+<context>
     <name>BudgetSentences</name>
     <message>
         <source>%1, u ≤ %2</source>
@@ -8697,14 +8743,6 @@ steget</translation>
         <translation>%1 från %2 nya anpassningar till simulerade registreringar är %3 gånger så osäker som modellens kovarians anger, och skiljer sig med %4 av detta u: de angivna osäkerheterna för modellens värden håller inte. Välj en lägre ordning eller spela in med mindre brus.</translation>
     </message>
     <message>
-        <source>Shot %1: the stretch to be corrected has %2 samples of channel %3; it needs 1 to %4 (--window BEGIN,END in seconds of the recording).</source>
-        <translation>Skott %1: sträckan som ska korrigeras har %2 sampel av kanal %3; den behöver 1 till %4 (--window BEGIN,END i inspelningens sekunder).</translation>
-    </message>
-    <message>
-        <source>E_n of 512 and 509, u = 0.75</source>
-        <translation>E_n för 512 och 509, u = 0.75</translation>
-    </message>
-    <message>
         <source>An amendment needs both --amends NUMBER and --reason TEXT, which says what changed.</source>
         <translation>En ändring kräver både --amends NUMMER och --reason TEXT, som säger vad som har ändrats.</translation>
     </message>
@@ -8980,6 +9018,10 @@ steget</translation>
         <source>The table %1 holds values of another kind.</source>
         <translation>Tabellen %1 innehåller värden av annat slag.</translation>
     </message>
+    <message>
+        <source>--number and --amends are of one certificate, and a plan is of many; issue that sensor&apos;s project by itself.</source>
+        <translation>--number och --amends gäller ett bevis, och en plan gäller många; utfärda den givarens projekt för sig.</translation>
+    </message>
 </context>
 <context>
     <name>dyncal::ArrivalPanel</name>
@@ -9116,6 +9158,273 @@ steget</translation>
     <message>
         <source>Read a&amp;gain</source>
         <translation>Läs &amp;om</translation>
+    </message>
+</context>
+<context>
+    <name>dyncal::BatchModel</name>
+    <message>
+        <source>Sensor</source>
+        <translation>Givare</translation>
+    </message>
+    <message>
+        <source>State</source>
+        <translation>Läge</translation>
+    </message>
+    <message>
+        <source>f₀ ± U</source>
+        <translation>f₀ ± U</translation>
+    </message>
+    <message>
+        <source>ζ ± U</source>
+        <translation>ζ ± U</translation>
+    </message>
+    <message>
+        <source>Sensitivity ± U</source>
+        <translation>Känslighet ± U</translation>
+    </message>
+    <message>
+        <source>Worst finding</source>
+        <translation>Värsta iakttagelse</translation>
+    </message>
+    <message>
+        <source>Reason</source>
+        <translation>Skäl</translation>
+    </message>
+</context>
+<context>
+    <name>dyncal::BatchPlanDialog</name>
+    <message>
+        <source>&amp;Every recording is a sensor of its own</source>
+        <translation>&amp;Varje registrering är en egen givare</translation>
+    </message>
+    <message>
+        <source>Plan a batch</source>
+        <translation>Planera en sats</translation>
+    </message>
+    <message>
+        <source>Every folder below the folder of recordings that holds recordings is a sensor. A recipe.json in it wins over the common recipe. The results go beside the plan.</source>
+        <translation>Varje mapp under registreringarnas mapp som innehåller registreringar är en givare. En recipe.json i den gäller före det gemensamma receptet. Resultaten läggs bredvid planen.</translation>
+    </message>
+    <message>
+        <source>Make the &amp;plan</source>
+        <translation>Gör &amp;planen</translation>
+    </message>
+    <message>
+        <source>&amp;Folder of recordings</source>
+        <translation>Registreringarnas &amp;mapp</translation>
+    </message>
+    <message>
+        <source>needed</source>
+        <translation>behövs</translation>
+    </message>
+    <message>
+        <source>Folder of recordings</source>
+        <translation>Registreringarnas mapp</translation>
+    </message>
+    <message>
+        <source>&amp;Recipe</source>
+        <translation>&amp;Recept</translation>
+    </message>
+    <message>
+        <source>none: the defaults</source>
+        <translation>inget: standardvärdena</translation>
+    </message>
+    <message>
+        <source>Common recipe</source>
+        <translation>Gemensamt recept</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>ingen</translation>
+    </message>
+    <message>
+        <source>Profile of the laboratory</source>
+        <translation>Laboratoriets profil</translation>
+    </message>
+    <message>
+        <source>P&amp;lan</source>
+        <translation>P&amp;lan</translation>
+    </message>
+    <message>
+        <source>needed, outside the folder</source>
+        <translation>behövs, utanför mappen</translation>
+    </message>
+    <message>
+        <source>Plan to write</source>
+        <translation>Plan att skriva</translation>
+    </message>
+    <message>
+        <source>Plans (*.jsonl)</source>
+        <translation>Planer (*.jsonl)</translation>
+    </message>
+    <message>
+        <source>JSON (*.json)</source>
+        <translation>JSON (*.json)</translation>
+    </message>
+    <message>
+        <source>Choose...</source>
+        <translation>Välj...</translation>
+    </message>
+    <message>
+        <source>Choose: %1</source>
+        <translation>Välj: %1</translation>
+    </message>
+    <message>
+        <source>Pr&amp;ofile of the laboratory</source>
+        <translation>Lab&amp;oratoriets profil</translation>
+    </message>
+</context>
+<context>
+    <name>dyncal::BatchProcess</name>
+    <message>
+        <source>%1 could not be started; check that it is there and may be executed.</source>
+        <translation>%1 kunde inte startas; kontrollera att det finns och får köras.</translation>
+    </message>
+    <message>
+        <source>The run was ended from outside or crashed; what is complete is kept, run it again.</source>
+        <translation>Körningen avslutades utifrån eller kraschade; det som är klart är kvar, kör den igen.</translation>
+    </message>
+</context>
+<context>
+    <name>dyncal::BatchTable</name>
+    <message>
+        <source>Sensors of the batch</source>
+        <translation>Satsens givare</translation>
+    </message>
+    <message>
+        <source>Sensor, finding or reason</source>
+        <translation>Givare, iakttagelse eller skäl</translation>
+    </message>
+    <message>
+        <source>Show only sensors whose name, finding or reason holds this</source>
+        <translation>Visa bara givare vars namn, iakttagelse eller skäl innehåller detta</translation>
+    </message>
+    <message>
+        <source>Show only sensors of this state</source>
+        <translation>Visa bara givare i detta läge</translation>
+    </message>
+    <message>
+        <source>All states</source>
+        <translation>Alla lägen</translation>
+    </message>
+</context>
+<context>
+    <name>dyncal::BatchWindow</name>
+    <message>
+        <source>The run was stopped; what is complete is kept.</source>
+        <translation>Körningen stoppades; det som är klart är kvar.</translation>
+    </message>
+    <message>
+        <source>The run has ended.</source>
+        <translation>Körningen är slut.</translation>
+    </message>
+    <message>
+        <source>Batch</source>
+        <translation>Sats</translation>
+    </message>
+    <message>
+        <source>&amp;Open plan...</source>
+        <translation>&amp;Öppna plan...</translation>
+    </message>
+    <message>
+        <source>A plan made here or by dyncal batch plan</source>
+        <translation>En plan som gjorts här eller med dyncal batch plan</translation>
+    </message>
+    <message>
+        <source>&amp;New plan...</source>
+        <translation>&amp;Ny plan...</translation>
+    </message>
+    <message>
+        <source>List the sensors below a folder, with their recipe</source>
+        <translation>Lista givarna under en mapp, med deras recept</translation>
+    </message>
+    <message>
+        <source>Sensors at a &amp;time</source>
+        <translation>Givare &amp;åt gången</translation>
+    </message>
+    <message>
+        <source>How many sensors are computed at a time, each on one processor</source>
+        <translation>Hur många givare som beräknas åt gången, var och en på en processor</translation>
+    </message>
+    <message>
+        <source>&amp;Run</source>
+        <translation>&amp;Kör</translation>
+    </message>
+    <message>
+        <source>Compute what is not complete yet</source>
+        <translation>Beräkna det som inte är klart än</translation>
+    </message>
+    <message>
+        <source>&amp;Stop</source>
+        <translation>St&amp;oppa</translation>
+    </message>
+    <message>
+        <source>Stop in good order; what is complete is kept</source>
+        <translation>Stoppa i god ordning; det som är klart är kvar</translation>
+    </message>
+    <message>
+        <source>Open its recordings and recipe in the main window</source>
+        <translation>Öppna dess registreringar och recept i huvudfönstret</translation>
+    </message>
+    <message>
+        <source>also if sensors are &amp;missing</source>
+        <translation>även om givare &amp;saknas</translation>
+    </message>
+    <message>
+        <source>Write s&amp;ummary...</source>
+        <translation>Skriv sa&amp;mmanställning...</translation>
+    </message>
+    <message>
+        <source>One row for each sensor, in the order of the plan, as CSV</source>
+        <translation>En rad för varje givare, i planens ordning, som CSV</translation>
+    </message>
+    <message>
+        <source>Progress of the batch</source>
+        <translation>Satsens förlopp</translation>
+    </message>
+    <message>
+        <source>Open plan</source>
+        <translation>Öppna plan</translation>
+    </message>
+    <message>
+        <source>Plans (*.jsonl)</source>
+        <translation>Planer (*.jsonl)</translation>
+    </message>
+    <message>
+        <source>The plan is made.</source>
+        <translation>Planen är gjord.</translation>
+    </message>
+    <message>
+        <source>The sensors are being listed, and their recordings read for their hashes.</source>
+        <translation>Givarna listas, och deras registreringar läses för hashvärdena.</translation>
+    </message>
+    <message>
+        <source>The run is being stopped.</source>
+        <translation>Körningen stoppas.</translation>
+    </message>
+    <message>
+        <source>Stopped.</source>
+        <translation>Stoppat.</translation>
+    </message>
+    <message>
+        <source>Summary to write</source>
+        <translation>Sammanställning att skriva</translation>
+    </message>
+    <message>
+        <source>CSV (*.csv)</source>
+        <translation>CSV (*.csv)</translation>
+    </message>
+    <message>
+        <source>Written: %1</source>
+        <translation>Skrivet: %1</translation>
+    </message>
+    <message>
+        <source>No plan is open.</source>
+        <translation>Ingen plan är öppen.</translation>
+    </message>
+    <message>
+        <source>O&amp;pen sensor</source>
+        <translation>Öppna &amp;givare</translation>
     </message>
 </context>
 <context>
@@ -10317,18 +10626,6 @@ steget</translation>
     <message>
         <source>Writing %1</source>
         <translation>Skriver %1</translation>
-    </message>
-    <message>
-        <source>The results are still being computed; try again in a moment.</source>
-        <translation>Resultaten beräknas fortfarande; försök igen om en stund.</translation>
-    </message>
-    <message>
-        <source>The results are out of date because the computation was cancelled; press F9 to compute them again.</source>
-        <translation>Resultaten är inaktuella eftersom beräkningen avbröts; tryck F9 för att beräkna dem igen.</translation>
-    </message>
-    <message>
-        <source>There is no model yet: open recordings and clear what blocks the stages.</source>
-        <translation>Det finns ingen modell än: öppna registreringar och åtgärda det som blockerar arbetsstegen.</translation>
     </message>
 </context>
 <context>
@@ -13269,327 +13566,6 @@ steget</translation>
     <message>
         <source>Progress</source>
         <translation>Förlopp</translation>
-    </message>
-</context>
-<context>
-    <name>BatchWords</name>
-    <message>
-        <source>%1, shot %2</source>
-        <translation>%1, skott %2</translation>
-    </message>
-    <message>
-        <source>failed</source>
-        <translation>misslyckad</translation>
-    </message>
-    <message>
-        <source>blocked</source>
-        <translation>blockerad</translation>
-    </message>
-    <message>
-        <source>cautions</source>
-        <translation>varningar</translation>
-    </message>
-    <message>
-        <source>running</source>
-        <translation>beräknas</translation>
-    </message>
-    <message>
-        <source>missing</source>
-        <translation>saknas</translation>
-    </message>
-    <message>
-        <source>done</source>
-        <translation>klar</translation>
-    </message>
-    <message numerus="yes">
-        <source>%n sensor(s)</source>
-        <translation>
-            <numerusform>%n givare</numerusform>
-            <numerusform>%n givare</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>%1 (and %2 more)</source>
-        <translation>%1 (och %2 till)</translation>
-    </message>
-    <message>
-        <source> (k = %1)</source>
-        <translation> (k = %1)</translation>
-    </message>
-</context>
-<context>
-    <name>dyncal::BatchModel</name>
-    <message>
-        <source>Sensor</source>
-        <translation>Givare</translation>
-    </message>
-    <message>
-        <source>State</source>
-        <translation>Läge</translation>
-    </message>
-    <message>
-        <source>f₀ ± U</source>
-        <translation>f₀ ± U</translation>
-    </message>
-    <message>
-        <source>ζ ± U</source>
-        <translation>ζ ± U</translation>
-    </message>
-    <message>
-        <source>Sensitivity ± U</source>
-        <translation>Känslighet ± U</translation>
-    </message>
-    <message>
-        <source>Worst finding</source>
-        <translation>Värsta iakttagelse</translation>
-    </message>
-    <message>
-        <source>Reason</source>
-        <translation>Skäl</translation>
-    </message>
-</context>
-<context>
-    <name>dyncal::BatchPlanDialog</name>
-    <message>
-        <source>&amp;Every recording is a sensor of its own</source>
-        <translation>&amp;Varje registrering är en egen givare</translation>
-    </message>
-    <message>
-        <source>Plan a batch</source>
-        <translation>Planera en sats</translation>
-    </message>
-    <message>
-        <source>Every folder below the folder of recordings that holds recordings is a sensor. A recipe.json in it wins over the common recipe. The results go beside the plan.</source>
-        <translation>Varje mapp under registreringarnas mapp som innehåller registreringar är en givare. En recipe.json i den gäller före det gemensamma receptet. Resultaten läggs bredvid planen.</translation>
-    </message>
-    <message>
-        <source>Make the &amp;plan</source>
-        <translation>Gör &amp;planen</translation>
-    </message>
-    <message>
-        <source>&amp;Folder of recordings</source>
-        <translation>Registreringarnas &amp;mapp</translation>
-    </message>
-    <message>
-        <source>needed</source>
-        <translation>behövs</translation>
-    </message>
-    <message>
-        <source>Folder of recordings</source>
-        <translation>Registreringarnas mapp</translation>
-    </message>
-    <message>
-        <source>&amp;Recipe</source>
-        <translation>&amp;Recept</translation>
-    </message>
-    <message>
-        <source>none: the defaults</source>
-        <translation>inget: standardvärdena</translation>
-    </message>
-    <message>
-        <source>Common recipe</source>
-        <translation>Gemensamt recept</translation>
-    </message>
-    <message>
-        <source>Pro&amp;file of the laboratory</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>none</source>
-        <translation>ingen</translation>
-    </message>
-    <message>
-        <source>Profile of the laboratory</source>
-        <translation>Laboratoriets profil</translation>
-    </message>
-    <message>
-        <source>P&amp;lan</source>
-        <translation>P&amp;lan</translation>
-    </message>
-    <message>
-        <source>needed, outside the folder</source>
-        <translation>behövs, utanför mappen</translation>
-    </message>
-    <message>
-        <source>Plan to write</source>
-        <translation>Plan att skriva</translation>
-    </message>
-    <message>
-        <source>Plans (*.jsonl)</source>
-        <translation>Planer (*.jsonl)</translation>
-    </message>
-    <message>
-        <source>JSON (*.json)</source>
-        <translation>JSON (*.json)</translation>
-    </message>
-    <message>
-        <source>Choose...</source>
-        <translation>Välj...</translation>
-    </message>
-    <message>
-        <source>Choose: %1</source>
-        <translation>Välj: %1</translation>
-    </message>
-    <message>
-        <source>Pr&amp;ofile of the laboratory</source>
-        <translation>Lab&amp;oratoriets profil</translation>
-    </message>
-</context>
-<context>
-    <name>dyncal::BatchProcess</name>
-    <message>
-        <source>%1 could not be started; check that it is there and may be executed.</source>
-        <translation>%1 kunde inte startas; kontrollera att det finns och får köras.</translation>
-    </message>
-    <message>
-        <source>The run was ended from outside or crashed; what is complete is kept, run it again.</source>
-        <translation>Körningen avslutades utifrån eller kraschade; det som är klart är kvar, kör den igen.</translation>
-    </message>
-</context>
-<context>
-    <name>dyncal::BatchTable</name>
-    <message>
-        <source>Sensors of the batch</source>
-        <translation>Satsens givare</translation>
-    </message>
-    <message>
-        <source>Sensor, finding or reason</source>
-        <translation>Givare, iakttagelse eller skäl</translation>
-    </message>
-    <message>
-        <source>Show only sensors whose name, finding or reason holds this</source>
-        <translation>Visa bara givare vars namn, iakttagelse eller skäl innehåller detta</translation>
-    </message>
-    <message>
-        <source>Show only sensors of this state</source>
-        <translation>Visa bara givare i detta läge</translation>
-    </message>
-    <message>
-        <source>All states</source>
-        <translation>Alla lägen</translation>
-    </message>
-</context>
-<context>
-    <name>dyncal::BatchWindow</name>
-    <message>
-        <source>The run was stopped; what is complete is kept.</source>
-        <translation>Körningen stoppades; det som är klart är kvar.</translation>
-    </message>
-    <message>
-        <source>The run has ended.</source>
-        <translation>Körningen är slut.</translation>
-    </message>
-    <message>
-        <source>Batch</source>
-        <translation>Sats</translation>
-    </message>
-    <message>
-        <source>&amp;Open plan...</source>
-        <translation>&amp;Öppna plan...</translation>
-    </message>
-    <message>
-        <source>A plan made here or by dyncal batch plan</source>
-        <translation>En plan som gjorts här eller med dyncal batch plan</translation>
-    </message>
-    <message>
-        <source>&amp;New plan...</source>
-        <translation>&amp;Ny plan...</translation>
-    </message>
-    <message>
-        <source>List the sensors below a folder, with their recipe</source>
-        <translation>Lista givarna under en mapp, med deras recept</translation>
-    </message>
-    <message>
-        <source>Sensors at a &amp;time</source>
-        <translation>Givare &amp;åt gången</translation>
-    </message>
-    <message>
-        <source>How many sensors are computed at a time, each on one processor</source>
-        <translation>Hur många givare som beräknas åt gången, var och en på en processor</translation>
-    </message>
-    <message>
-        <source>&amp;Run</source>
-        <translation>&amp;Kör</translation>
-    </message>
-    <message>
-        <source>Compute what is not complete yet</source>
-        <translation>Beräkna det som inte är klart än</translation>
-    </message>
-    <message>
-        <source>&amp;Stop</source>
-        <translation>St&amp;oppa</translation>
-    </message>
-    <message>
-        <source>Stop in good order; what is complete is kept</source>
-        <translation>Stoppa i god ordning; det som är klart är kvar</translation>
-    </message>
-    <message>
-        <source>Open sen&amp;sor</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Open its recordings and recipe in the main window</source>
-        <translation>Öppna dess registreringar och recept i huvudfönstret</translation>
-    </message>
-    <message>
-        <source>also if sensors are &amp;missing</source>
-        <translation>även om givare &amp;saknas</translation>
-    </message>
-    <message>
-        <source>Write s&amp;ummary...</source>
-        <translation>Skriv sa&amp;mmanställning...</translation>
-    </message>
-    <message>
-        <source>One row for each sensor, in the order of the plan, as CSV</source>
-        <translation>En rad för varje givare, i planens ordning, som CSV</translation>
-    </message>
-    <message>
-        <source>Progress of the batch</source>
-        <translation>Satsens förlopp</translation>
-    </message>
-    <message>
-        <source>Open plan</source>
-        <translation>Öppna plan</translation>
-    </message>
-    <message>
-        <source>Plans (*.jsonl)</source>
-        <translation>Planer (*.jsonl)</translation>
-    </message>
-    <message>
-        <source>The plan is made.</source>
-        <translation>Planen är gjord.</translation>
-    </message>
-    <message>
-        <source>The sensors are being listed, and their recordings read for their hashes.</source>
-        <translation>Givarna listas, och deras registreringar läses för hashvärdena.</translation>
-    </message>
-    <message>
-        <source>The run is being stopped.</source>
-        <translation>Körningen stoppas.</translation>
-    </message>
-    <message>
-        <source>Stopped.</source>
-        <translation>Stoppat.</translation>
-    </message>
-    <message>
-        <source>Summary to write</source>
-        <translation>Sammanställning att skriva</translation>
-    </message>
-    <message>
-        <source>CSV (*.csv)</source>
-        <translation>CSV (*.csv)</translation>
-    </message>
-    <message>
-        <source>Written: %1</source>
-        <translation>Skrivet: %1</translation>
-    </message>
-    <message>
-        <source>No plan is open.</source>
-        <translation>Ingen plan är öppen.</translation>
-    </message>
-    <message>
-        <source>O&amp;pen sensor</source>
-        <translation>Öppna &amp;givare</translation>
     </message>
 </context>
 </TS>
