@@ -25,7 +25,7 @@ namespace dyncal {
 
 namespace {
 
-constexpr QSize kFirstSize(1200, 720);
+constexpr QSize kFirstSize(1360, 720);
 constexpr int kMostJobs = 1024;
 constexpr int kPlanSteps = 1000; ///< of the progress bar, while a plan is made
 
