@@ -103,6 +103,7 @@ struct CorrectionBench : test::WindowBench
         auto *edit = find<QLineEdit>(name + "Value");
         edit->setFocus();
         edit->selectAll();
+        QTest::keyClick(edit, Qt::Key_Delete);
         QTest::keyClicks(edit, text);
         QTest::keyClick(edit, Qt::Key_Tab);
     }
