@@ -98,6 +98,8 @@ private slots:
     {
         if (!PostgresServer::isInstalled())
             QSKIP("PostgreSQL is not installed (package postgresql), so no server can be started");
+        if (!PostgresServer::isPermitted())
+            return;
         PostgresServer server;
         QVERIFY(server.isRunning());
         issueByTwo(server.database("two"), trials::count(20, 500));
@@ -133,6 +135,8 @@ private slots:
     {
         if (!PostgresServer::isInstalled())
             QSKIP("PostgreSQL is not installed (package postgresql), so no server can be started");
+        if (!PostgresServer::isPermitted())
+            return;
         PostgresServer server;
         QVERIFY(server.isRunning());
         const ScratchFolder folder;

@@ -78,6 +78,8 @@ private slots:
     {
         if (!PostgresServer::isInstalled())
             QSKIP("PostgreSQL is not installed (package postgresql), so no server can be started");
+        if (!PostgresServer::isPermitted())
+            return;
         PostgresServer server;
         auto database = opened(server.database("values").toStdString());
         QVERIFY2(database, database ? "" : said(database.error()).c_str());
