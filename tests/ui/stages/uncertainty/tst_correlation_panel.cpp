@@ -105,7 +105,7 @@ private slots:
         QVERIFY2(refusal().contains("twice"), qPrintable(refusal()));
         m_bench->type("correlationRValue", "1.5");
         QVERIFY(!isEnabled("correlationAdd") || all().size() == 1);
-        type("t1_k", "p1_pa", "1");
+        type("t1_k", "p1_pa", "0.5");
         press("correlationAdd");
         type("gain_relative", "p1_pa", "-1");
         press("correlationAdd");
