@@ -7,6 +7,7 @@ from scipy import optimize
 
 from audit_report import coverage_factor
 
+RECIPROCAL = {"q": "damping_ratio", "damping_ratio": "q"}
 FACTOR = 2.0  # that U is stated with, or Student's where it is larger
 
 
@@ -21,7 +22,16 @@ class Capability:
         self.entries = results["recipe"]["uncertainty"]["cmc"]
 
     def least(self, of, value, f_Hz=0.0):
-        """The largest U of the entries for this; 0 without one."""
+        """The largest U of the entries for this; 0 without one. Q is 1/(2 damping): relative to both, either's is the
+        other's."""
+        own = self.entered(of, value, f_Hz)
+        if of not in RECIPROCAL:
+            return own
+        other = 0.5 / value
+        return max(own, self.entered(RECIPROCAL[of], other) * abs(value / other))
+
+    def entered(self, of, value, f_Hz=0.0):
+        """The same of the entries that name it."""
         found = [0.0]
         for entry in self.entries:
             over_frequency = of in ("magnitude", "phase_rad")
