@@ -27,7 +27,6 @@ private:
     {
         return m_bench->recipe().certificate.decision;
     }
-    bool isEnabled(const char *name) const { return m_bench->control<QWidget>(name)->isEnabled(); }
     QLabel &label(const char *name) const { return *m_bench->control<QLabel>(name); }
     QString refusal() const { return refusalOnShow(m_bench->control<QWidget>("decisionTo")); }
     void clear(const char *name) const
@@ -37,7 +36,6 @@ private:
         QTest::keyClick(edit, Qt::Key_Delete);
         QTest::keyClick(edit, Qt::Key_Return);
     }
-    int steps() const { return m_bench->session.undoStack().count(); }
     void claim(const char *within, const char *from, const char *to) const
     {
         m_bench->type("decisionWithinValue", within);
@@ -52,31 +50,31 @@ private slots:
 
     void rule_waitsForItsClaim()
     {
-        QVERIFY(!isEnabled("decisionWithin"));
+        QVERIFY(!m_bench->isEnabled("decisionWithin"));
         m_bench->choose("decisionRule", 2);
-        QVERIFY(isEnabled("decisionWithin"));
-        QCOMPARE(steps(), 0);
+        QVERIFY(m_bench->isEnabled("decisionWithin"));
+        QCOMPARE(m_bench->steps(), 0);
         m_bench->type("decisionWithinValue", "5");
         QVERIFY(label("decisionNote").text().contains("From"));
         QVERIFY(!decision());
         m_bench->type("decisionFromValue", "1");
         m_bench->type("decisionToValue", "100");
-        QCOMPARE(steps(), 1);
+        QCOMPARE(m_bench->steps(), 1);
         QVERIFY((decision() == DecisionSettings{DecisionRule::GuardBand, 5.0, 1e3, 1e5}));
         QVERIFY(label("decisionNote").text().isEmpty());
         m_bench->session.undoStack().undo();
         QCOMPARE(m_bench->control<QComboBox>("decisionRule")->currentIndex(), 0);
         QCOMPARE(m_bench->control<QLineEdit>("decisionToValue")->text(), QString());
-        QVERIFY(!isEnabled("decisionWithin"));
+        QVERIFY(!m_bench->isEnabled("decisionWithin"));
     }
 
     void risk_countsForItsRuleAlone()
     {
         m_bench->choose("decisionRule", 1);
         claim("5", "1", "100");
-        QVERIFY(!isEnabled("decisionRisk"));
+        QVERIFY(!m_bench->isEnabled("decisionRisk"));
         m_bench->choose("decisionRule", 3);
-        QVERIFY(isEnabled("decisionRisk"));
+        QVERIFY(m_bench->isEnabled("decisionRisk"));
         QCOMPARE(m_bench->control<QLineEdit>("decisionRiskValue")->text(), QString("5"));
         m_bench->type("decisionRiskValue", "2.5 %");
         QCOMPARE(decision()->maxRisk_percent, 2.5);
@@ -87,7 +85,7 @@ private slots:
         QCOMPARE(decision()->maxRisk_percent, 5.0);
         m_bench->choose("decisionRule", 0);
         QVERIFY(!decision());
-        QVERIFY(!isEnabled("decisionRisk"));
+        QVERIFY(!m_bench->isEnabled("decisionRisk"));
     }
 
     void wrongClaims_areRefused()
@@ -101,7 +99,7 @@ private slots:
             m_bench->type("decisionWithinValue", text);
             QVERIFY2(!refusal().isEmpty(), text);
         }
-        QCOMPARE(steps(), 0);
+        QCOMPARE(m_bench->steps(), 0);
         m_bench->type("decisionToValue", "100");
         QCOMPARE(decision()->within_percent, 5.0);
         clear("decisionToValue"); // the others stand

@@ -9,6 +9,7 @@
 
 #include <QComboBox>
 #include <QLineEdit>
+#include <QPushButton>
 #include <QtTest>
 
 #include <memory>
@@ -65,6 +66,14 @@ struct PageBench
             qFatal("no %s", qPrintable(name));
         return found;
     }
+    bool isEnabled(const QString &name) { return control<QWidget>(name)->isEnabled(); }
+    /// A button, and what it sets off.
+    void press(const QString &name)
+    {
+        QTest::mouseClick(control<QPushButton>(name), Qt::LeftButton);
+        waitComputed(session);
+    }
+    int steps() { return session.undoStack().count(); } ///< that can be undone
     void choose(const QString &name, int choice)
     {
         auto *box = control<QComboBox>(name);

@@ -4,14 +4,12 @@
 #include "ui/stages/comparison/known_panel.h"
 
 #include "ui/stages/comparison/known_words.h"
-#include "ui/stages/frame/checked_change.h"
-#include "ui/stages/frame/entry_list.h"
+#include "ui/stages/frame/entry_edits.h"
 #include "ui/stages/frame/inspector_form.h"
 #include "ui/stages/frame/optional_edit.h"
 #include "ui/text/shown_text.h"
 
 #include <QLineEdit>
-#include <QPushButton>
 
 namespace dyncal {
 
@@ -37,11 +35,15 @@ KnownPanel::KnownPanel(Session &session, InspectorForm &form, QObject *parent)
     buildFields(form);
     m_list->addButtons(form);
     connect(m_list, &EntryList::selected, this, &KnownPanel::showEntry);
-    connect(m_list, &EntryList::addAsked, this, &KnownPanel::add);
-    connect(m_list, &EntryList::replaceAsked, this, &KnownPanel::replace);
-    connect(m_list, &EntryList::removeAsked, this, &KnownPanel::remove);
-    form.follow([this](const Recipe &recipe) { showRecipe(recipe); });
-    showTyped();
+    connectEdits<KnownSensitivity>(session, *m_list,
+        {[](Recipe &recipe) -> auto & { return recipe.response.known;
+}
+, [this] { return m_typed; }, tr("Add a value of another calibration"),
+    tr("Change a value of another calibration"), tr("Remove a value of another calibration")
+} // namespace dyncal
+);
+form.follow([this](const Recipe &recipe) { showRecipe(recipe); });
+showTyped();
 }
 
 QLineEdit *KnownPanel::addLine(
@@ -122,31 +124,6 @@ void KnownPanel::allowWhatIsComplete()
 {
     m_list->allow(!m_typed.label.empty() && !m_typed.unit.empty() && m_typed.magnitude > 0.0
         && m_typed.u > 0.0);
-}
-
-bool KnownPanel::change(QWidget *field, const QString &label,
-    const std::function<void(std::vector<KnownSensitivity> &)> &edit)
-{
-    return changeIfAllowed(m_session, field, label, [&](Recipe &r) { edit(r.response.known); });
-}
-
-void KnownPanel::add()
-{
-    if (change(m_list->addingButton(), tr("Add a value of another calibration"),
-            [this](auto &known) { known.push_back(m_typed); }))
-        m_list->selectLast();
-}
-
-void KnownPanel::replace()
-{
-    change(m_list->replacingButton(), tr("Change a value of another calibration"),
-        [this](auto &known) { known.at(static_cast<std::size_t>(m_list->row())) = m_typed; });
-}
-
-void KnownPanel::remove()
-{
-    change(m_list->removingButton(), tr("Remove a value of another calibration"),
-        [this](auto &known) { known.erase(known.begin() + m_list->row()); });
 }
 
 } // namespace dyncal

@@ -33,11 +33,6 @@ private:
     void showEntry(int row);
     void showTyped();
     void allowWhatIsComplete();
-    void add();
-    void replace();
-    void remove();
-    bool change(QWidget *field, const QString &label,
-        const std::function<void(std::vector<KnownSensitivity> &)> &edit);
 
     Session &m_session;
     EntryList *m_list;

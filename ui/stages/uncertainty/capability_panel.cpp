@@ -4,8 +4,7 @@
 #include "ui/stages/uncertainty/capability_panel.h"
 
 #include "core/project/capability_quantities.h"
-#include "ui/stages/frame/checked_change.h"
-#include "ui/stages/frame/entry_list.h"
+#include "ui/stages/frame/entry_edits.h"
 #include "ui/stages/frame/inspector_form.h"
 #include "ui/stages/frame/optional_edit.h"
 #include "ui/stages/frame/recipe_change.h"
@@ -13,7 +12,6 @@
 #include "ui/text/shown_text.h"
 
 #include <QComboBox>
-#include <QPushButton>
 
 namespace dyncal {
 
@@ -40,11 +38,15 @@ CapabilityPanel::CapabilityPanel(Session &session, InspectorForm &form, QObject 
     buildFields(form);
     m_list->addButtons(form);
     connect(m_list, &EntryList::selected, this, &CapabilityPanel::showEntry);
-    connect(m_list, &EntryList::addAsked, this, &CapabilityPanel::add);
-    connect(m_list, &EntryList::replaceAsked, this, &CapabilityPanel::replace);
-    connect(m_list, &EntryList::removeAsked, this, &CapabilityPanel::remove);
-    form.follow([this](const Recipe &recipe) { showRecipe(recipe); });
-    useUnit();
+    connectEdits<CapabilityEntry>(session, *m_list,
+        {[](Recipe &recipe) -> auto & { return recipe.uncertainty.cmc;
+}
+, [this] { return typed(); }, tr("Add an entry of the CMC"), tr("Change an entry of the CMC"),
+    tr("Remove an entry of the CMC")
+} // namespace dyncal
+);
+form.follow([this](const Recipe &recipe) { showRecipe(recipe); });
+useUnit();
 }
 
 void CapabilityPanel::buildFields(InspectorForm &form)
@@ -133,31 +135,6 @@ CapabilityEntry CapabilityPanel::typed() const
         entry.to_Hz.reset();
     }
     return entry;
-}
-
-bool CapabilityPanel::change(QWidget *field, const QString &label,
-    const std::function<void(std::vector<CapabilityEntry> &)> &edit)
-{
-    return changeIfAllowed(m_session, field, label, [&](Recipe &r) { edit(r.uncertainty.cmc); });
-}
-
-void CapabilityPanel::add()
-{
-    if (change(m_list->addingButton(), tr("Add an entry of the CMC"),
-            [this](auto &cmc) { cmc.push_back(typed()); }))
-        m_list->selectLast();
-}
-
-void CapabilityPanel::replace()
-{
-    change(m_list->replacingButton(), tr("Change an entry of the CMC"),
-        [this](auto &cmc) { cmc.at(selected()) = typed(); });
-}
-
-void CapabilityPanel::remove()
-{
-    change(m_list->removingButton(), tr("Remove an entry of the CMC"),
-        [this](auto &cmc) { cmc.erase(cmc.begin() + row()); });
 }
 
 } // namespace dyncal

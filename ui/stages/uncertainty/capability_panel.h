@@ -30,11 +30,6 @@ private:
     void showEntry(); ///< the selected one in the fields
     void useUnit(); ///< that of the quantity and of how it is counted
     void allowWhatIsComplete();
-    void add();
-    void replace();
-    void remove();
-    bool change(QWidget *field, const QString &label,
-        const std::function<void(std::vector<CapabilityEntry> &)> &edit);
     CapabilityEntry typed() const;
     std::size_t selected() const { return static_cast<std::size_t>(row()); }
     int row() const;

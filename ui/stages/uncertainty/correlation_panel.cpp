@@ -4,8 +4,7 @@
 #include "ui/stages/uncertainty/correlation_panel.h"
 
 #include "core/project/correlated_quantities.h"
-#include "ui/stages/frame/checked_change.h"
-#include "ui/stages/frame/entry_list.h"
+#include "ui/stages/frame/entry_edits.h"
 #include "ui/stages/frame/inspector_form.h"
 #include "ui/stages/frame/optional_edit.h"
 #include "ui/text/quantity_format.h"
@@ -13,7 +12,6 @@
 #include "ui/text/uncertainty_words.h"
 
 #include <QComboBox>
-#include <QPushButton>
 
 namespace dyncal {
 
@@ -41,11 +39,15 @@ CorrelationPanel::CorrelationPanel(Session &session, InspectorForm &form, QObjec
     });
     m_list->addButtons(form);
     connect(m_list, &EntryList::selected, this, &CorrelationPanel::showEntry);
-    connect(m_list, &EntryList::addAsked, this, &CorrelationPanel::add);
-    connect(m_list, &EntryList::replaceAsked, this, &CorrelationPanel::replace);
-    connect(m_list, &EntryList::removeAsked, this, &CorrelationPanel::remove);
-    form.follow([this](const Recipe &recipe) { showRecipe(recipe); });
-    allowWhatIsComplete();
+    connectEdits<CorrelationEntry>(session, *m_list,
+        {[](Recipe &recipe) -> auto & { return recipe.uncertainty.correlations;
+}
+, [this] { return typed(); }, tr("Add a correlation"), tr("Change a correlation"),
+    tr("Remove a correlation")
+} // namespace dyncal
+);
+form.follow([this](const Recipe &recipe) { showRecipe(recipe); });
+allowWhatIsComplete();
 }
 
 QComboBox *CorrelationPanel::addQuantities(
@@ -97,32 +99,6 @@ void CorrelationPanel::allowWhatIsComplete()
     const CorrelationEntry entry = typed();
     const bool isPair = entry.quantity != entry.with || entry.quantity == "velocity_m_s";
     m_list->allow(m_typed.has_value() && isPair);
-}
-
-bool CorrelationPanel::change(QWidget *field, const QString &label,
-    const std::function<void(std::vector<CorrelationEntry> &)> &edit)
-{
-    return changeIfAllowed(
-        m_session, field, label, [&](Recipe &r) { edit(r.uncertainty.correlations); });
-}
-
-void CorrelationPanel::add()
-{
-    if (change(m_list->addingButton(), tr("Add a correlation"),
-            [this](auto &all) { all.push_back(typed()); }))
-        m_list->selectLast();
-}
-
-void CorrelationPanel::replace()
-{
-    change(m_list->replacingButton(), tr("Change a correlation"),
-        [this](auto &all) { all.at(selected()) = typed(); });
-}
-
-void CorrelationPanel::remove()
-{
-    change(m_list->removingButton(), tr("Remove a correlation"),
-        [this](auto &all) { all.erase(all.begin() + m_list->row()); });
 }
 
 } // namespace dyncal

@@ -34,11 +34,6 @@ private:
     void showRecipe(const Recipe &recipe);
     void showEntry(); ///< the selected one in the fields
     void allowWhatIsComplete();
-    void add();
-    void replace();
-    void remove();
-    bool change(QWidget *field, const QString &label,
-        const std::function<void(std::vector<CorrelationEntry> &)> &edit);
     CorrelationEntry typed() const;
     std::size_t selected() const;
 

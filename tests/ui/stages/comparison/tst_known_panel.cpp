@@ -44,12 +44,6 @@ class TestKnownPanel : public QObject
 private:
     std::unique_ptr<Bench> m_bench;
 
-    void press(const char *name) const
-    {
-        QTest::mouseClick(m_bench->control<QPushButton>(name), Qt::LeftButton);
-        test::waitComputed(m_bench->session);
-    }
-    bool isEnabled(const char *name) const { return m_bench->control<QWidget>(name)->isEnabled(); }
     QListWidget &list() const { return *m_bench->control<QListWidget>("knownList"); }
     const std::vector<KnownSensitivity> &known() const { return m_bench->recipe().response.known; }
     double sensitivity() const
@@ -75,17 +69,17 @@ private slots:
 
     void added_isCompared_inListTableAndFinding()
     {
-        QVERIFY(!isEnabled("knownAdd"));
+        QVERIFY(!m_bench->isEnabled("knownAdd"));
         QCOMPARE(m_bench->control<QLineEdit>("knownUnit")->text(), QString("V/Pa"));
         type("works", 1.001 * sensitivity(), 0.001 * sensitivity());
-        press("knownAdd");
+        m_bench->press("knownAdd");
         QCOMPARE(known().size(), std::size_t(1));
         QVERIFY(std::abs(known()[0].u / (0.0005 * sensitivity()) - 1.0) < 1e-9); // k = 2
         const KnownValue &found = m_bench->session.results().uncertainty->known.at(0);
         QVERIFY(found.isJoined());
         QVERIFY(list().item(0)->text().startsWith("works, static: "));
         type("odd", 1.5 * sensitivity(), 0.001 * sensitivity());
-        press("knownAdd");
+        m_bench->press("knownAdd");
         const auto &findings = m_bench->session.results().uncertainty->findings;
         QVERIFY(std::ranges::count(findings, std::string("UNC-004"), &Finding::id) == 1);
         m_bench->session.undoStack().undo();
@@ -98,26 +92,26 @@ private slots:
         type("works", sensitivity(), 0.01 * sensitivity());
         m_bench->type("knownCertificate", "K 7");
         m_bench->type("knownFrequencyValue", "0.8");
-        press("knownAdd");
+        m_bench->press("knownAdd");
         QCOMPARE(known()[0].frequency_Hz, 800.0);
         QCOMPARE(known()[0].certificate, std::string("K 7"));
         m_bench->type("knownLabel", "valve");
-        press("knownReplace");
+        m_bench->press("knownReplace");
         QCOMPARE(known()[0].label, std::string("valve"));
         QCOMPARE(known().size(), std::size_t(1));
-        press("knownRemove");
+        m_bench->press("knownRemove");
         QVERIFY(known().empty());
-        QVERIFY(!isEnabled("knownRemove"));
+        QVERIFY(!m_bench->isEnabled("knownRemove"));
     }
 
     void anotherUnit_isConverted_orTold()
     {
         type("works", 1e8 * sensitivity(), 1e6 * sensitivity());
         m_bench->type("knownUnit", "mV/bar"); // 1e-3 / 1e5
-        press("knownAdd");
+        m_bench->press("knownAdd");
         QVERIFY(m_bench->session.results().uncertainty->known.at(0).isJoined());
         m_bench->type("knownUnit", "pC/bar");
-        press("knownReplace");
+        m_bench->press("knownReplace");
         const auto &report = *m_bench->session.results().uncertainty;
         QVERIFY(!report.known.at(0).isCompared());
         QCOMPARE(report.findings.back().id, std::string("UNC-005"));

@@ -26,19 +26,12 @@ class TestCapabilityPanel : public QObject
 private:
     std::unique_ptr<Bench> m_bench;
 
-    void press(const char *name) const
-    {
-        QTest::mouseClick(m_bench->control<QPushButton>(name), Qt::LeftButton);
-        test::waitComputed(m_bench->session);
-    }
-    bool isEnabled(const char *name) const { return m_bench->control<QWidget>(name)->isEnabled(); }
     void chooseOf(const char *of) const
     {
         m_bench->choose("capabilityOf", m_bench->control<QComboBox>("capabilityOf")->findData(of));
     }
     const std::vector<CapabilityEntry> &cmc() const { return m_bench->recipe().uncertainty.cmc; }
     QListWidget &list() const { return *m_bench->control<QListWidget>("capabilityList"); }
-    int steps() const { return m_bench->session.undoStack().count(); }
 
 private slots:
     void initTestCase() { QLocale::setDefault(QLocale::c()); }
@@ -52,10 +45,10 @@ private slots:
     void added_holdsEveryU()
     {
         const double before = *m_bench->session.results().uncertainty->sensitivity->expanded();
-        QVERIFY(!isEnabled("capabilityAdd")); // no U yet
+        QVERIFY(!m_bench->isEnabled("capabilityAdd")); // no U yet
         m_bench->type("capabilityUValue", "20");
-        press("capabilityAdd");
-        QCOMPARE(steps(), 1);
+        m_bench->press("capabilityAdd");
+        QCOMPARE(m_bench->steps(), 1);
         QVERIFY((cmc() == std::vector<CapabilityEntry>{{"sensitivity", 0.2}}));
         QCOMPARE(list().item(0)->text(), QString("Sensitivity: U ≥ 20 %"));
         const ReportedValue &held = *m_bench->session.results().uncertainty->sensitivity;
@@ -69,26 +62,26 @@ private slots:
 
     void rows_haveABand_andPhasesAnAngle()
     {
-        QVERIFY(!isEnabled("capabilityFrom"));
+        QVERIFY(!m_bench->isEnabled("capabilityFrom"));
         chooseOf("magnitude");
-        QVERIFY(isEnabled("capabilityFrom"));
+        QVERIFY(m_bench->isEnabled("capabilityFrom"));
         m_bench->type("capabilityUValue", "2");
         m_bench->type("capabilityFromValue", "1");
         m_bench->type("capabilityToValue", "500 Hz"); // below the begin
-        press("capabilityAdd");
+        m_bench->press("capabilityAdd");
         QVERIFY2(refusalOnShow(m_bench->control<QPushButton>("capabilityAdd")).contains("larger"),
             qPrintable(refusalOnShow(m_bench->control<QPushButton>("capabilityAdd"))));
         QVERIFY(cmc().empty());
         m_bench->type("capabilityToValue", "10");
-        press("capabilityAdd");
+        m_bench->press("capabilityAdd");
         QVERIFY((cmc() == std::vector<CapabilityEntry>{{"magnitude", 0.02, true, 1e3, 1e4}}));
         QCOMPARE(
             list().item(0)->text(), QString("Magnitude of S(f): U ≥ 2 %, from 1 kHz to 10 kHz"));
         chooseOf("phase_rad");
-        QVERIFY(!isEnabled("capabilityIn"));
-        QVERIFY(!isEnabled("capabilityAdd")); // its U is typed anew
+        QVERIFY(!m_bench->isEnabled("capabilityIn"));
+        QVERIFY(!m_bench->isEnabled("capabilityAdd")); // its U is typed anew
         m_bench->type("capabilityUValue", "1");
-        press("capabilityAdd");
+        m_bench->press("capabilityAdd");
         QVERIFY(std::abs(cmc()[1].expanded - std::numbers::pi / 180.0) < 1e-15);
     }
 
@@ -97,26 +90,26 @@ private slots:
         chooseOf("f0_hz");
         m_bench->choose("capabilityIn", 1);
         m_bench->type("capabilityUValue", "2");
-        press("capabilityAdd");
+        m_bench->press("capabilityAdd");
         QVERIFY((cmc() == std::vector<CapabilityEntry>{{"f0_hz", 2e3, false}}));
         chooseOf("sensitivity");
         m_bench->choose("capabilityIn", 0);
         m_bench->type("capabilityUValue", "3");
-        press("capabilityAdd");
+        m_bench->press("capabilityAdd");
         QCOMPARE(list().currentRow(), 1);
         list().setCurrentRow(0); // its values stand in the fields
         QCOMPARE(m_bench->control<QLineEdit>("capabilityUValue")->text(), QString("2"));
         QCOMPARE(m_bench->control<QComboBox>("capabilityOf")->currentData(), QVariant("f0_hz"));
         m_bench->type("capabilityUValue", "4");
-        press("capabilityReplace");
+        m_bench->press("capabilityReplace");
         QCOMPARE(cmc()[0].expanded, 4e3);
         QCOMPARE(cmc().size(), std::size_t(2));
-        press("capabilityRemove");
+        m_bench->press("capabilityRemove");
         QVERIFY((cmc() == std::vector<CapabilityEntry>{{"sensitivity", 0.03}}));
-        press("capabilityRemove");
+        m_bench->press("capabilityRemove");
         QVERIFY(cmc().empty());
-        QVERIFY(!isEnabled("capabilityRemove"));
-        QCOMPARE(steps(), 5);
+        QVERIFY(!m_bench->isEnabled("capabilityRemove"));
+        QCOMPARE(m_bench->steps(), 5);
     }
 
     void wrongNumbers_areRefused()
@@ -124,9 +117,9 @@ private slots:
         for (const char *text : {"0", "-1", "much", "1e12"}) {
             m_bench->type("capabilityUValue", text);
             QVERIFY2(!refusalOnShow(&list()).isEmpty(), text);
-            QVERIFY2(!isEnabled("capabilityAdd"), text);
+            QVERIFY2(!m_bench->isEnabled("capabilityAdd"), text);
         }
-        QCOMPARE(steps(), 0);
+        QCOMPARE(m_bench->steps(), 0);
     }
 
     void words_ofEveryQuantity()

@@ -24,12 +24,6 @@ class TestCorrelationPanel : public QObject
 private:
     std::unique_ptr<Bench> m_bench;
 
-    void press(const char *name) const
-    {
-        QTest::mouseClick(m_bench->control<QPushButton>(name), Qt::LeftButton);
-        test::waitComputed(m_bench->session);
-    }
-    bool isEnabled(const char *name) const { return m_bench->control<QWidget>(name)->isEnabled(); }
     void choose(const char *box, const char *quantity) const
     {
         m_bench->choose(box, m_bench->control<QComboBox>(box)->findData(quantity));
@@ -67,9 +61,9 @@ private slots:
     void added_changesU_andIsUndone()
     {
         const double before = sensitivityU();
-        QVERIFY(!isEnabled("correlationAdd")); // no r yet
+        QVERIFY(!m_bench->isEnabled("correlationAdd")); // no r yet
         type("t1_k", "gain_relative", "-0.9");
-        press("correlationAdd");
+        m_bench->press("correlationAdd");
         QVERIFY((all() == std::vector<CorrelationEntry>{{"t1_k", "gain_relative", -0.9}}));
         QVERIFY2(list().item(0)->text().endsWith(": r = -0.9"), qPrintable(list().item(0)->text()));
         QVERIFY(std::abs(sensitivityU() / before - 1.0) > 0.01);
@@ -82,33 +76,33 @@ private slots:
     void selected_isReplaced_orRemoved()
     {
         type("t1_k", "gain_relative", "0.5");
-        press("correlationAdd");
+        m_bench->press("correlationAdd");
         type("p1_pa", "t1_k", "0.2");
-        press("correlationAdd");
+        m_bench->press("correlationAdd");
         list().setCurrentRow(0); // its values stand in the fields
         QCOMPARE(m_bench->control<QComboBox>("correlationWith")->currentData(),
             QVariant("gain_relative"));
         QCOMPARE(m_bench->control<QLineEdit>("correlationRValue")->text(), QString("0.5"));
         m_bench->type("correlationRValue", "0.4");
-        press("correlationReplace");
+        m_bench->press("correlationReplace");
         QCOMPARE(all()[0].coefficient, 0.4);
-        press("correlationRemove");
+        m_bench->press("correlationRemove");
         QVERIFY((all() == std::vector<CorrelationEntry>{{"p1_pa", "t1_k", 0.2}}));
     }
 
     void impossible_isRefused_withItsReason()
     {
         type("t1_k", "gain_relative", "0.5");
-        press("correlationAdd");
+        m_bench->press("correlationAdd");
         type("gain_relative", "t1_k", "0.1"); // the same pair
-        press("correlationAdd");
+        m_bench->press("correlationAdd");
         QVERIFY2(refusal().contains("twice"), qPrintable(refusal()));
         m_bench->type("correlationRValue", "1.5");
-        QVERIFY(!isEnabled("correlationAdd") || all().size() == 1);
+        QVERIFY(!m_bench->isEnabled("correlationAdd") || all().size() == 1);
         type("t1_k", "p1_pa", "0.5");
-        press("correlationAdd");
+        m_bench->press("correlationAdd");
         type("gain_relative", "p1_pa", "-1");
-        press("correlationAdd");
+        m_bench->press("correlationAdd");
         QVERIFY2(refusal().contains("contradict"), qPrintable(refusal()));
         QCOMPARE(all().size(), std::size_t(2));
     }
@@ -116,9 +110,9 @@ private slots:
     void aQuantityWithItself_isNoPair_butVelocitiesOfShots()
     {
         type("t1_k", "t1_k", "0.5");
-        QVERIFY(!isEnabled("correlationAdd"));
+        QVERIFY(!m_bench->isEnabled("correlationAdd"));
         type("velocity_m_s", "velocity_m_s", "0.5");
-        QVERIFY(isEnabled("correlationAdd"));
+        QVERIFY(m_bench->isEnabled("correlationAdd"));
     }
 };
 
