@@ -62,13 +62,10 @@ int list(const RegistryOptions &options)
 
 int makeVoid(const RegistryOptions &options)
 {
-    const Result<std::string> now = currentUtc();
-    if (!now)
-        return report(now.error());
-    Result<CertificateRegister> registry = CertificateRegister::open(options.registry);
-    if (!registry)
-        return report(registry.error());
-    const auto record = registry->markVoid(options.number, options.by, options.reason, *now);
+    const auto record
+        = changedNow(options.registry, [&](CertificateRegister &registry, const std::string &utc) {
+              return registry.markVoid(options.number, options.by, options.reason, utc);
+          });
     if (!record)
         return report(record.error());
     std::cout << "Number " << record->number << " is void.\n";

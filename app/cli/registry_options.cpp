@@ -3,6 +3,7 @@
 
 #include "app/cli/registry_options.h"
 
+#include "app/base/clock.h"
 #include "app/base/user_name.h"
 
 namespace dyncal {
@@ -20,6 +21,19 @@ void declareReason(CLI::App &verb, std::string &by, std::string &reason)
     verb.add_option("--by", by, "Who does it, for the audit trail; else the name of the account")
         ->type_name("NAME");
     verb.add_option("--reason", reason, "Why, for the audit trail")->required()->type_name("TEXT");
+}
+
+Result<CertificateRecord> changedNow(const std::string &registry,
+    const std::function<Result<CertificateRecord>(CertificateRegister &, const std::string &)>
+        &change)
+{
+    const Result<std::string> now = currentUtc();
+    if (!now)
+        return tl::unexpected<Error>(now.error());
+    Result<CertificateRegister> opened = CertificateRegister::open(registry);
+    if (!opened)
+        return tl::unexpected<Error>(opened.error());
+    return change(*opened, *now);
 }
 
 } // namespace dyncal

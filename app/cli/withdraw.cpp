@@ -1,12 +1,9 @@
 // SPDX-FileCopyrightText: 2026 The Dyncal authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include "app/base/clock.h"
 #include "app/cli/console.h"
 #include "app/cli/registry_options.h"
 #include "app/cli/verbs.h"
-
-#include "registry/certificates/certificate_register.h"
 
 #include <iostream>
 #include <memory>
@@ -22,13 +19,10 @@ struct WithdrawOptions
 
 int withdraw(const WithdrawOptions &options)
 {
-    const Result<std::string> now = currentUtc();
-    if (!now)
-        return report(now.error());
-    Result<CertificateRegister> registry = CertificateRegister::open(options.registry);
-    if (!registry)
-        return report(registry.error());
-    const auto record = registry->withdraw(options.number, options.by, options.reason, *now);
+    const auto record
+        = changedNow(options.registry, [&](CertificateRegister &registry, const std::string &utc) {
+              return registry.withdraw(options.number, options.by, options.reason, utc);
+          });
     if (!record)
         return report(record.error());
     std::cout << "Certificate " << record->number << " is withdrawn.\n";

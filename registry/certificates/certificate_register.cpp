@@ -87,6 +87,21 @@ Result<void> bothNeeded(const std::string &who, const std::string &reason)
             {}});
 }
 
+/// `prepare`: what its tables need before they are used so.
+Result<RegistryDatabase> openedDatabase(
+    const std::string &text, RegistryAccess access, Result<void> (*prepare)(RegistryDatabase &))
+{
+    const Result<RegistryAddress> address = registryAddress(text);
+    if (!address)
+        return tl::unexpected<Error>(address.error());
+    Result<RegistryDatabase> database = RegistryDatabase::open(*address, access);
+    if (!database)
+        return database;
+    if (const Result<void> ready = prepare(*database); !ready)
+        return tl::unexpected<Error>(ready.error());
+    return database;
+}
+
 } // namespace
 
 CertificateRegister::CertificateRegister(RegistryDatabase database)
@@ -96,28 +111,15 @@ CertificateRegister::CertificateRegister(RegistryDatabase database)
 
 Result<CertificateRegister> CertificateRegister::open(const std::string &text)
 {
-    const Result<RegistryAddress> address = registryAddress(text);
-    if (!address)
-        return tl::unexpected<Error>(address.error());
-    Result<RegistryDatabase> database = RegistryDatabase::open(*address, RegistryAccess::Write);
-    if (!database)
-        return tl::unexpected<Error>(database.error());
-    if (const Result<void> ready = bringUpToDate(*database); !ready)
-        return tl::unexpected<Error>(ready.error());
-    return CertificateRegister(std::move(*database));
+    return openedDatabase(text, RegistryAccess::Write, [](RegistryDatabase &one) {
+        return bringUpToDate(one);
+    }).map([](RegistryDatabase database) { return CertificateRegister(std::move(database)); });
 }
 
 Result<CertificateRegister> CertificateRegister::openToRead(const std::string &text)
 {
-    const Result<RegistryAddress> address = registryAddress(text);
-    if (!address)
-        return tl::unexpected<Error>(address.error());
-    Result<RegistryDatabase> database = RegistryDatabase::open(*address, RegistryAccess::Read);
-    if (!database)
-        return tl::unexpected<Error>(database.error());
-    if (const Result<void> ready = checkSchema(*database); !ready)
-        return tl::unexpected<Error>(ready.error());
-    return CertificateRegister(std::move(*database));
+    return openedDatabase(text, RegistryAccess::Read, checkSchema)
+        .map([](RegistryDatabase database) { return CertificateRegister(std::move(database)); });
 }
 
 Result<Records> CertificateRegister::all()

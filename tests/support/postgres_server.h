@@ -143,4 +143,14 @@ private:
     std::unique_ptr<QProcess> m_server;
 };
 
+/// Ends a test that needs a server where none can be run.
+#define DYNCAL_NEEDS_POSTGRES()                                                                    \
+    do {                                                                                           \
+        if (!dyncal::testing::PostgresServer::isInstalled())                                       \
+            QSKIP(                                                                                 \
+                "PostgreSQL is not installed (package postgresql), so no server can be started");  \
+        if (!dyncal::testing::PostgresServer::isPermitted())                                       \
+            return;                                                                                \
+    } while (false)
+
 } // namespace dyncal::testing

@@ -96,10 +96,7 @@ private slots:
 
     void twoProgramsOnAServer_haveConsecutiveNumbers()
     {
-        if (!PostgresServer::isInstalled())
-            QSKIP("PostgreSQL is not installed (package postgresql), so no server can be started");
-        if (!PostgresServer::isPermitted())
-            return;
+        DYNCAL_NEEDS_POSTGRES();
         PostgresServer server;
         QVERIFY(server.isRunning());
         issueByTwo(server.database("two"), trials::count(20, 500));
@@ -133,10 +130,7 @@ private slots:
     /// The server is stopped without notice and started again while two programs issue.
     void stoppedServer_losesNothing()
     {
-        if (!PostgresServer::isInstalled())
-            QSKIP("PostgreSQL is not installed (package postgresql), so no server can be started");
-        if (!PostgresServer::isPermitted())
-            return;
+        DYNCAL_NEEDS_POSTGRES();
         PostgresServer server;
         QVERIFY(server.isRunning());
         const ScratchFolder folder;

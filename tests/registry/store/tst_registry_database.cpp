@@ -76,10 +76,7 @@ private slots:
 
     void postgresql_keepsValues()
     {
-        if (!PostgresServer::isInstalled())
-            QSKIP("PostgreSQL is not installed (package postgresql), so no server can be started");
-        if (!PostgresServer::isPermitted())
-            return;
+        DYNCAL_NEEDS_POSTGRES();
         PostgresServer server;
         auto database = opened(server.database("values").toStdString());
         QVERIFY2(database, database ? "" : said(database.error()).c_str());
