@@ -67,8 +67,12 @@ private:
 
     Answer runExample(const char *output, const QStringList &more = {}) const
     {
-        return runDyncal(QStringList{"run", path("example.h5"), "-o", path(output)} + more, kEpoch);
+        return runDyncal(QStringList{"run", path("example.h5"), "-o", path(output)} + more
+                + (more.contains("--recipe") ? QStringList() : quick()),
+            kEpoch);
     }
+    /// The Monte Carlo takes longer than all else.
+    QStringList quick() const { return {"--recipe", path("quick.json")}; }
 
 private slots:
     void initTestCase()
@@ -77,13 +81,15 @@ private slots:
             = runDyncal({"simulate", "-o", path("example.h5"), "--preset", "optic3"}, kEpoch);
         QCOMPARE(answer.exitCode, 0);
         m_truth = answer.out;
+        QVERIFY(writeBytes(path("quick.json"), R"({"uncertainty": {"monte_carlo_trials": 100}})"));
     }
 
     void run_makesNoFolderForTemporaryFiles()
     {
         const QString nowhere = path("tmp/deep");
         for (const QString &runtime : {QString(), path("runtime")}) {
-            const Answer answer = runDyncal({"run", path("example.h5"), "-o", path("strayless")},
+            const Answer answer = runDyncal(
+                QStringList{"run", path("example.h5"), "-o", path("strayless")} + quick(),
                 {"TMPDIR=" + nowhere, "XDG_RUNTIME_DIR=" + runtime});
             QVERIFY2(answer.exitCode <= 1, answer.err);
             QVERIFY(QFile::exists(path("strayless/certificate.pdf")));
@@ -104,7 +110,8 @@ private slots:
         table.close();
         QFile recipe(path("laboratory/recipe.json"));
         QVERIFY(recipe.open(QIODevice::WriteOnly));
-        recipe.write(R"({"schema": "dyncal-recipe/1", "chain": {"source": "amp.csv"}})");
+        recipe.write(R"({"schema": "dyncal-recipe/1", "chain": {"source": "amp.csv"},
+            "uncertainty": {"monte_carlo_trials": 100}})");
         recipe.close();
         const Answer first = runExample("with_chain", {"--recipe", path("laboratory/recipe.json")});
         QVERIFY2(first.exitCode <= 1, first.err);
@@ -229,7 +236,8 @@ private slots:
     void thesisTreatment_countsTheStepAsAState()
     {
         QVERIFY(
-            writeBytes(path("thesis.json"), "{\"input\": {\"treatment\": \"step-as-impulse\"}}"));
+            writeBytes(path("thesis.json"), R"({"input": {"treatment": "step-as-impulse"},
+                "uncertainty": {"monte_carlo_trials": 100}})"));
         const Answer answer
             = runExample("thesis", {"--recipe", path("thesis.json"), "--order", "3"});
         QVERIFY2(answer.exitCode <= 1, answer.err);
@@ -269,7 +277,8 @@ private slots:
     {
         QVERIFY(writeBytes(path("only-dut.json"),
             R"({"schema": "dyncal-recipe/1", "import": {"channels":
-                {"Driven side": "other", "Driver": "other"}}})"));
+                {"Driven side": "other", "Driver": "other"}},
+                "uncertainty": {"monte_carlo_trials": 100}})"));
         const Answer answer = runExample("only-dut", {"--recipe", path("only-dut.json")});
         QVERIFY2(answer.exitCode <= 1, answer.err);
         const QJsonObject results = fileJson(path("only-dut/results.json"));
@@ -315,14 +324,15 @@ private slots:
     void folderWithSpacesAndLetters_works()
     {
         const QString folder = path("ut å ö/dir");
-        QVERIFY(runDyncal({"run", path("example.h5"), "-o", folder}).exitCode <= 1);
+        QVERIFY(runDyncal(QStringList{"run", path("example.h5"), "-o", folder} + quick()).exitCode
+            <= 1);
         QVERIFY(QFile::exists(folder + "/results.json"));
     }
 
     void locale_changesNoNumber()
     {
         QVERIFY(runExample("a").exitCode <= 1);
-        QVERIFY(runDyncal({"run", path("example.h5"), "-o", path("locale")},
+        QVERIFY(runDyncal(QStringList{"run", path("example.h5"), "-o", path("locale")} + quick(),
                     kEpoch + QStringList{"LC_ALL=sv_SE.UTF-8", "LANG=sv_SE.UTF-8"})
                     .exitCode
             <= 1);

@@ -5,6 +5,7 @@
 #include "tests/support/trial_count.h"
 #include "tests/system/dyncal_process.h"
 #include "tests/system/window_process.h"
+#include "tests/system/written_project.h"
 
 #include <QDir>
 #include <QElapsedTimer>
@@ -33,6 +34,8 @@ private:
 
     QString capture() const { return path("shot.h5"); }
     QString table() const { return path("shot.csv"); }
+    QString quick() const { return path("quick.json"); } ///< the Monte Carlo takes longest
+    QString project() const { return path("quick.dyncal"); }
 
     /// One sentence about memory.
     static bool saysMemory(const QByteArray &err)
@@ -94,7 +97,7 @@ private:
     /// What the window says in the end of an export under this limit; "" if it has died.
     QString exportAt(std::uint64_t limit_MiB)
     {
-        WindowProcess window(path("home"), {capture()}, limit_MiB * kMiB);
+        WindowProcess window(path("home"), {project()}, limit_MiB * kMiB);
         return exportIn(window);
     }
 
@@ -169,6 +172,9 @@ private slots:
                 + QByteArray::number(clean + 0.002 * std::sin(12.9898 * i * i), 'f', 9) + '\n';
         }
         QVERIFY(writeBytes(table(), text));
+        const QJsonObject few{{"uncertainty", QJsonObject{{"monte_carlo_trials", 100}}}};
+        QVERIFY(writeBytes(quick(), QJsonDocument(few).toJson()));
+        QVERIFY(writeProject(project(), capture(), few));
         m_lowest_MiB = smallest_MiB(1, answersItsVersion);
         qInfo("--version starts from %d MiB on", int(m_lowest_MiB));
     }
@@ -180,8 +186,8 @@ private slots:
         const auto row = [this](const char *name, const QStringList &arguments, const char *out) {
             QTest::newRow(name) << arguments << path(out);
         };
-        row("run of a capture", {"run", capture(), "--order", "2"}, "out");
-        row("run of a table", {"run", table(), "--order", "2"}, "out");
+        row("run of a capture", {"run", capture(), "--recipe", quick(), "--order", "2"}, "out");
+        row("run of a table", {"run", table(), "--recipe", quick(), "--order", "2"}, "out");
         row("import of a capture", {"import", capture()}, "copy.h5");
         row("import of a table", {"import", table()}, "table.h5");
     }
@@ -236,7 +242,7 @@ private slots:
         QVERIFY(QFile::exists(qEnvironmentVariable("DYNCAL_FEW_THREADS")));
         int refused = 0, done = 0;
         for (int threads = 0; done < 2; ++threads) {
-            WindowProcess window(path("home"), {capture()}, 0,
+            WindowProcess window(path("home"), {project()}, 0,
                 {"ASAN_OPTIONS=detect_leaks=0:verify_asan_link_order=0", // where it is so built
                     "LD_PRELOAD=" + qEnvironmentVariable("DYNCAL_FEW_THREADS"),
                     "DYNCAL_THREADS=" + QString::number(threads)});

@@ -4,9 +4,9 @@
 #include "tests/support/test_program.h"
 #include "tests/system/dyncal_process.h"
 #include "tests/system/window_process.h"
+#include "tests/system/written_project.h"
 
 #include <QDir>
-#include <QJsonArray>
 #include <QRegularExpression>
 #include <QTemporaryDir>
 #include <QTest>
@@ -69,14 +69,9 @@ private slots:
         for (const char *name : {"home", "work"})
             QVERIFY(QDir(path(name)).removeRecursively() && here.mkpath(name));
         QVERIFY(QFile::copy(path("simulated.h5"), path("work/a.h5")));
-        const QJsonObject info = runDyncal({"info", path("work/a.h5"), "--json"}).json();
-        const QJsonObject recipe{{"schema", "dyncal-recipe/1"},
+        const QJsonObject recipe{{"uncertainty", QJsonObject{{"monte_carlo_trials", 100}}},
             {"certificate", QJsonObject{{"fields", QJsonObject{{"customer", "First"}}}}}};
-        const QJsonObject capture{
-            {"path", "a.h5"}, {"sha256", info["files"][0]["sha256"]}, {"shots", QJsonArray{1}}};
-        const QJsonObject project{{"format", "dyncal-project"}, {"version", 1}, {"recipe", recipe},
-            {"captures", QJsonArray{capture}}};
-        QVERIFY(writeBytes(path("work/job.dyncal"), QJsonDocument(project).toJson()));
+        QVERIFY(writeProject(path("work/job.dyncal"), path("work/a.h5"), recipe));
     }
 
     void killed_whileEdited_offersTheWorkAndSavesItToItsProject()

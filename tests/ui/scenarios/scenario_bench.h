@@ -7,6 +7,7 @@
 #include "core/synthesis/sensor_simulator.h"
 #include "core/synthesis/shot_generator.h"
 #include "tests/ui/shell/window_bench.h"
+#include "tests/ui/support/quick_pipeline.h"
 #include "ui/plot/widget/plot_widget.h"
 #include "ui/shell/findings/findings_panel.h"
 #include "ui/stages/frame/stage_page.h"
@@ -42,7 +43,7 @@ inline SimulationSettings threeShots(const std::vector<Defect> &defects = {})
 struct ScenarioBench : WindowBench
 {
     ScenarioBench()
-        : WindowBench(runPipeline)
+        : WindowBench(quickPipeline())
     {
         window->resize(1400, 900);
         window->show();

@@ -62,6 +62,7 @@ Recipe longInput(Index samples = kSamples)
     recipe.input.samples = samples;
     recipe.realization.maxOrder = kWholeSet;
     recipe.realization.order = 2;
+    recipe.uncertainty.monteCarloTrials = 100; // nothing here asks for its values
     return recipe;
 }
 

@@ -7,6 +7,7 @@
 #include "core/pipeline/pipeline.h"
 
 #include <QString>
+#include <QStringList>
 
 #include <memory>
 #include <optional>
