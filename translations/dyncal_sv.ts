@@ -3147,7 +3147,7 @@ steget</translation>
     </message>
     <message>
         <source>certificate</source>
-        <translation>certifikat</translation>
+        <translation>bevis</translation>
     </message>
     <message>
         <source>template of the certificate</source>
@@ -9022,6 +9022,18 @@ steget</translation>
         <source>--number and --amends are of one certificate, and a plan is of many; issue that sensor&apos;s project by itself.</source>
         <translation>--number och --amends gäller ett bevis, och en plan gäller många; utfärda den givarens projekt för sig.</translation>
     </message>
+    <message>
+        <source>The results are not of the recipe and recordings as they are now; wait for them or compute again (F9), then issue.</source>
+        <translation>Resultaten hör inte till receptet och inspelningarna som de är nu; vänta på dem eller beräkna om (F9) och utfärda sedan.</translation>
+    </message>
+    <message>
+        <source>The cards are not a JSON list of names with fields; write it as dyncal registry cards --json does.</source>
+        <translation>Korten är ingen JSON-lista med namn och fält; skriv den så som dyncal registry cards --json gör.</translation>
+    </message>
+    <message>
+        <source>The card &quot;%1&quot; has no name of its own: it is empty, longer than 200 bytes or there twice; give every card a name.</source>
+        <translation>Kortet ”%1” har inget eget namn: det är tomt, längre än 200 byte eller finns två gånger; ge varje kort ett namn.</translation>
+    </message>
 </context>
 <context>
     <name>dyncal::ArrivalPanel</name>
@@ -9272,17 +9284,6 @@ steget</translation>
     <message>
         <source>Pr&amp;ofile of the laboratory</source>
         <translation>Lab&amp;oratoriets profil</translation>
-    </message>
-</context>
-<context>
-    <name>dyncal::BatchProcess</name>
-    <message>
-        <source>%1 could not be started; check that it is there and may be executed.</source>
-        <translation>%1 kunde inte startas; kontrollera att det finns och får köras.</translation>
-    </message>
-    <message>
-        <source>The run was ended from outside or crashed; what is complete is kept, run it again.</source>
-        <translation>Körningen avslutades utifrån eller kraschade; det som är klart är kvar, kör den igen.</translation>
     </message>
 </context>
 <context>
@@ -9817,6 +9818,109 @@ steget</translation>
     </message>
 </context>
 <context>
+    <name>dyncal::CardsTab</name>
+    <message>
+        <source>Laboratories</source>
+        <translation>Laboratorier</translation>
+    </message>
+    <message>
+        <source>Customers</source>
+        <translation>Kunder</translation>
+    </message>
+    <message>
+        <source>Sensors</source>
+        <translation>Givare</translation>
+    </message>
+    <message>
+        <source>Reference instruments</source>
+        <translation>Referensinstrument</translation>
+    </message>
+    <message>
+        <source>Which cards</source>
+        <translation>Vilka kort</translation>
+    </message>
+    <message>
+        <source>Search</source>
+        <translation>Sök</translation>
+    </message>
+    <message>
+        <source>Show only cards that hold this text</source>
+        <translation>Visa bara kort som innehåller denna text</translation>
+    </message>
+    <message>
+        <source>Cards</source>
+        <translation>Kort</translation>
+    </message>
+    <message>
+        <source>&amp;Add card</source>
+        <translation>&amp;Lägg till kort</translation>
+    </message>
+    <message>
+        <source>&amp;Keep changes...</source>
+        <translation>&amp;Behåll ändringar...</translation>
+    </message>
+    <message>
+        <source>Put what was typed into the registry, with a reason</source>
+        <translation>För in det som skrevs i registret, med ett skäl</translation>
+    </message>
+    <message>
+        <source>&amp;Import...</source>
+        <translation>&amp;Importera...</translation>
+    </message>
+    <message>
+        <source>Take cards from a CSV file with a column &quot;name&quot;</source>
+        <translation>Ta in kort från en CSV-fil med en kolumn ”name”</translation>
+    </message>
+    <message>
+        <source>&amp;Export...</source>
+        <translation>&amp;Exportera...</translation>
+    </message>
+    <message>
+        <source>Write these cards as CSV</source>
+        <translation>Skriv dessa kort som CSV</translation>
+    </message>
+    <message>
+        <source>The changes could not be written to a temporary file: %1.</source>
+        <translation>Ändringarna kunde inte skrivas till en tillfällig fil: %1.</translation>
+    </message>
+    <message>
+        <source>Cards to take</source>
+        <translation>Kort att ta in</translation>
+    </message>
+    <message>
+        <source>Tables (*.csv)</source>
+        <translation>Tabeller (*.csv)</translation>
+    </message>
+    <message>
+        <source>Change cards</source>
+        <translation>Ändra kort</translation>
+    </message>
+    <message>
+        <source>Why, for the audit trail:</source>
+        <translation>Varför, för händelseloggen:</translation>
+    </message>
+    <message>
+        <source>The cards are kept.</source>
+        <translation>Korten är sparade.</translation>
+    </message>
+    <message>
+        <source>Cards to write</source>
+        <translation>Kort att skriva</translation>
+    </message>
+    <message>
+        <source>CSV (*.csv)</source>
+        <translation>CSV (*.csv)</translation>
+    </message>
+    <message>
+        <source>Written: %1</source>
+        <translation>Skrivet: %1</translation>
+    </message>
+    <message>
+        <source>%1 could not be written: %2.</source>
+        <translation>%1 kunde inte skrivas: %2.</translation>
+    </message>
+</context>
+<context>
     <name>dyncal::CertificatePage</name>
     <message>
         <source>Laboratory and customer</source>
@@ -9894,6 +9998,89 @@ steget</translation>
     <message>
         <source>YYYY-MM-DD</source>
         <translation>ÅÅÅÅ-MM-DD</translation>
+    </message>
+</context>
+<context>
+    <name>dyncal::CertificatesTab</name>
+    <message>
+        <source>Number</source>
+        <translation>Nummer</translation>
+    </message>
+    <message>
+        <source>State</source>
+        <translation>Läge</translation>
+    </message>
+    <message>
+        <source>Sensor</source>
+        <translation>Givare</translation>
+    </message>
+    <message>
+        <source>Customer</source>
+        <translation>Kund</translation>
+    </message>
+    <message>
+        <source>Issued (UTC)</source>
+        <translation>Utfärdat (UTC)</translation>
+    </message>
+    <message>
+        <source>Issued by</source>
+        <translation>Utfärdat av</translation>
+    </message>
+    <message>
+        <source>Reviewed by</source>
+        <translation>Granskat av</translation>
+    </message>
+    <message>
+        <source>Amends</source>
+        <translation>Ändrar</translation>
+    </message>
+    <message>
+        <source>Replaced by</source>
+        <translation>Ersatt av</translation>
+    </message>
+    <message>
+        <source>Reason</source>
+        <translation>Skäl</translation>
+    </message>
+    <message>
+        <source>Certificates</source>
+        <translation>Bevis</translation>
+    </message>
+    <message>
+        <source>&amp;Withdraw...</source>
+        <translation>&amp;Återkalla...</translation>
+    </message>
+    <message>
+        <source>The laboratory does not stand by this certificate any more; its files stay</source>
+        <translation>Laboratoriet står inte längre för detta bevis; filerna blir kvar</translation>
+    </message>
+    <message>
+        <source>&amp;Give up number...</source>
+        <translation>&amp;Ge upp nummer...</translation>
+    </message>
+    <message>
+        <source>A reserved number that will not be issued; it is never given again</source>
+        <translation>Ett reserverat nummer som inte kommer att utfärdas; det ges aldrig igen</translation>
+    </message>
+    <message>
+        <source>Withdraw certificate %1</source>
+        <translation>Återkalla bevis %1</translation>
+    </message>
+    <message>
+        <source>Certificate %1 is withdrawn.</source>
+        <translation>Bevis %1 är återkallat.</translation>
+    </message>
+    <message>
+        <source>Give up number %1</source>
+        <translation>Ge upp nummer %1</translation>
+    </message>
+    <message>
+        <source>Number %1 is void.</source>
+        <translation>Nummer %1 är ogiltigt.</translation>
+    </message>
+    <message>
+        <source>Why, for the audit trail:</source>
+        <translation>Varför, för händelseloggen:</translation>
     </message>
 </context>
 <context>
@@ -11259,6 +11446,101 @@ steget</translation>
     </message>
 </context>
 <context>
+    <name>dyncal::IssueDialog</name>
+    <message>
+        <source>&amp;Folder of certificates</source>
+        <translation>&amp;Mapp för bevis</translation>
+    </message>
+    <message>
+        <source>&amp;Registry</source>
+        <translation>&amp;Register</translation>
+    </message>
+    <message>
+        <source>Issued &amp;by</source>
+        <translation>Utfärdat &amp;av</translation>
+    </message>
+    <message>
+        <source>Re&amp;viewed by</source>
+        <translation>&amp;Granskat av</translation>
+    </message>
+    <message>
+        <source>Issue certificate</source>
+        <translation>Utfärda bevis</translation>
+    </message>
+    <message>
+        <source>It gets a folder with the certificate&apos;s number</source>
+        <translation>Den får en mapp med bevisets nummer</translation>
+    </message>
+    <message>
+        <source>that of this user</source>
+        <translation>denna användares</translation>
+    </message>
+    <message>
+        <source>&amp;What changed</source>
+        <translation>&amp;Vad som ändrats</translation>
+    </message>
+    <message>
+        <source>Printed on the amendment, beside the number that it replaces</source>
+        <translation>Trycks på ändringen, bredvid numret som den ersätter</translation>
+    </message>
+    <message>
+        <source>What keeps it from being issued</source>
+        <translation>Vad som hindrar att det utfärdas</translation>
+    </message>
+    <message>
+        <source>The certificate is being issued</source>
+        <translation>Beviset utfärdas</translation>
+    </message>
+    <message>
+        <source>&amp;Choose...</source>
+        <translation>&amp;Välj...</translation>
+    </message>
+    <message>
+        <source>&amp;Issue</source>
+        <translation>&amp;Utfärda</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Stäng</translation>
+    </message>
+    <message>
+        <source>Nothing keeps it from being issued.</source>
+        <translation>Inget hindrar att det utfärdas.</translation>
+    </message>
+    <message>
+        <source>This job is a draft: it has no certificate in this registry.</source>
+        <translation>Detta jobb är ett utkast: det har inget bevis i detta register.</translation>
+    </message>
+    <message>
+        <source>These recordings have certificate %1. It is not changed any more: issue an amendment, which has a number of its own and says what it replaces and why.</source>
+        <translation>Dessa inspelningar har bevis %1. Det ändras inte mer: utfärda en ändring, som har ett eget nummer och säger vad den ersätter och varför.</translation>
+    </message>
+    <message>
+        <source>Folder of certificates</source>
+        <translation>Mapp för bevis</translation>
+    </message>
+    <message>
+        <source>The project is computed once more and its certificate written.</source>
+        <translation>Projektet beräknas en gång till och dess bevis skrivs.</translation>
+    </message>
+    <message>
+        <source>No certificate was issued. %1</source>
+        <translation>Inget bevis utfärdades. %1</translation>
+    </message>
+    <message>
+        <source>Certificate %1 is issued, not signed: %2</source>
+        <translation>Bevis %1 är utfärdat, inte signerat: %2</translation>
+    </message>
+    <message>
+        <source>Name the folder of certificates.</source>
+        <translation>Ange mappen för bevis.</translation>
+    </message>
+    <message>
+        <source>Say what changed, for the amendment.</source>
+        <translation>Säg vad som ändrats, för ändringen.</translation>
+    </message>
+</context>
+<context>
     <name>dyncal::KeptResultsView</name>
     <message>
         <source>Kept results of %1</source>
@@ -11461,6 +11743,14 @@ steget</translation>
     <message>
         <source>&amp;Batch...</source>
         <translation>Sa&amp;ts...</translation>
+    </message>
+    <message>
+        <source>&amp;Issue certificate...</source>
+        <translation>&amp;Utfärda bevis...</translation>
+    </message>
+    <message>
+        <source>Re&amp;gistry...</source>
+        <translation>Re&amp;gister...</translation>
     </message>
 </context>
 <context>
@@ -12347,6 +12637,17 @@ steget</translation>
     </message>
 </context>
 <context>
+    <name>dyncal::ProgramCall</name>
+    <message>
+        <source>The command was ended from outside or crashed; what is complete is kept, run it again.</source>
+        <translation>Kommandot avslutades utifrån eller kraschade; det som är färdigt är kvar, kör det igen.</translation>
+    </message>
+    <message>
+        <source>%1 could not be started; check that it is there and may be executed.</source>
+        <translation>%1 kunde inte startas; kontrollera att det finns och får köras.</translation>
+    </message>
+</context>
+<context>
     <name>dyncal::QuantityEdit</name>
     <message>
         <source>%1 is outside %2 to %3.</source>
@@ -12486,6 +12787,139 @@ steget</translation>
     <message>
         <source>Correlation with the step</source>
         <translation>Korrelation med steget</translation>
+    </message>
+</context>
+<context>
+    <name>dyncal::RegistryRows</name>
+    <message>
+        <source>reserved</source>
+        <translation>reserverat</translation>
+    </message>
+    <message>
+        <source>issued</source>
+        <translation>utfärdat</translation>
+    </message>
+    <message>
+        <source>issued as an amendment</source>
+        <translation>utfärdat som ändring</translation>
+    </message>
+    <message>
+        <source>replaced</source>
+        <translation>ersatt</translation>
+    </message>
+    <message>
+        <source>withdrawn</source>
+        <translation>återkallat</translation>
+    </message>
+    <message>
+        <source>void</source>
+        <translation>ogiltigt</translation>
+    </message>
+    <message>
+        <source>● valid</source>
+        <translation>● giltig</translation>
+    </message>
+    <message>
+        <source>▲ valid, not signed</source>
+        <translation>▲ giltig, inte signerad</translation>
+    </message>
+    <message>
+        <source>■ changed</source>
+        <translation>■ ändrad</translation>
+    </message>
+    <message>
+        <source>■ missing</source>
+        <translation>■ saknas</translation>
+    </message>
+    <message>
+        <source>■ unreadable</source>
+        <translation>■ oläslig</translation>
+    </message>
+    <message>
+        <source>certificate</source>
+        <translation>bevis</translation>
+    </message>
+    <message>
+        <source>registry</source>
+        <translation>register</translation>
+    </message>
+    <message>
+        <source>project</source>
+        <translation>projekt</translation>
+    </message>
+    <message>
+        <source>recording</source>
+        <translation>inspelning</translation>
+    </message>
+    <message>
+        <source>file</source>
+        <translation>fil</translation>
+    </message>
+</context>
+<context>
+    <name>dyncal::RegistryWindow</name>
+    <message>
+        <source>Registry</source>
+        <translation>Register</translation>
+    </message>
+    <message>
+        <source>&amp;Registry</source>
+        <translation>&amp;Register</translation>
+    </message>
+    <message>
+        <source>that of this user</source>
+        <translation>denna användares</translation>
+    </message>
+    <message>
+        <source>A file, or postgresql://USER@HOST:PORT/DATABASE of the laboratory&apos;s server</source>
+        <translation>En fil, eller postgresql://USER@HOST:PORT/DATABASE på laboratoriets server</translation>
+    </message>
+    <message>
+        <source>&amp;Choose...</source>
+        <translation>&amp;Välj...</translation>
+    </message>
+    <message>
+        <source>Re&amp;fresh</source>
+        <translation>&amp;Uppdatera</translation>
+    </message>
+    <message>
+        <source>The registry is being read or changed</source>
+        <translation>Registret läses eller ändras</translation>
+    </message>
+    <message>
+        <source>Certificates</source>
+        <translation>Bevis</translation>
+    </message>
+    <message>
+        <source>Audit trail</source>
+        <translation>Händelselogg</translation>
+    </message>
+    <message>
+        <source>Cards</source>
+        <translation>Kort</translation>
+    </message>
+    <message>
+        <source>Verify</source>
+        <translation>Verifiera</translation>
+    </message>
+    <message>
+        <source>Registries (*.sqlite);;All files (*)</source>
+        <translation>Register (*.sqlite);;Alla filer (*)</translation>
+    </message>
+</context>
+<context>
+    <name>dyncal::RowsView</name>
+    <message>
+        <source>Show only rows that hold this text</source>
+        <translation>Visa bara rader som innehåller denna text</translation>
+    </message>
+    <message>
+        <source>Search</source>
+        <translation>Sök</translation>
+    </message>
+    <message>
+        <source>%1 of %2</source>
+        <translation>%1 av %2</translation>
     </message>
 </context>
 <context>
@@ -13129,6 +13563,61 @@ steget</translation>
     </message>
 </context>
 <context>
+    <name>dyncal::TrailTab</name>
+    <message>
+        <source>Entry</source>
+        <translation>Post</translation>
+    </message>
+    <message>
+        <source>Time (UTC)</source>
+        <translation>Tid (UTC)</translation>
+    </message>
+    <message>
+        <source>Who</source>
+        <translation>Vem</translation>
+    </message>
+    <message>
+        <source>What</source>
+        <translation>Vad</translation>
+    </message>
+    <message>
+        <source>About</source>
+        <translation>Om</translation>
+    </message>
+    <message>
+        <source>Reason</source>
+        <translation>Skäl</translation>
+    </message>
+    <message>
+        <source>Audit trail</source>
+        <translation>Händelselogg</translation>
+    </message>
+    <message>
+        <source>The entry that is selected, before and after</source>
+        <translation>Den valda posten, före och efter</translation>
+    </message>
+    <message>
+        <source>Select an entry to see what it changed.</source>
+        <translation>Välj en post för att se vad den ändrade.</translation>
+    </message>
+    <message>
+        <source>Program: %1</source>
+        <translation>Program: %1</translation>
+    </message>
+    <message>
+        <source>SHA-256: %1</source>
+        <translation>SHA-256: %1</translation>
+    </message>
+    <message>
+        <source>Before:</source>
+        <translation>Före:</translation>
+    </message>
+    <message>
+        <source>After:</source>
+        <translation>Efter:</translation>
+    </message>
+</context>
+<context>
     <name>dyncal::TubeModeChoice</name>
     <message>
         <source>Tube modes: computed, not identified</source>
@@ -13208,6 +13697,65 @@ steget</translation>
     <message>
         <source>Shots</source>
         <translation>Skott</translation>
+    </message>
+</context>
+<context>
+    <name>dyncal::VerifyTab</name>
+    <message>
+        <source>File</source>
+        <translation>Fil</translation>
+    </message>
+    <message>
+        <source>Kind</source>
+        <translation>Slag</translation>
+    </message>
+    <message>
+        <source>Verdict</source>
+        <translation>Utslag</translation>
+    </message>
+    <message>
+        <source>Number</source>
+        <translation>Nummer</translation>
+    </message>
+    <message>
+        <source>State</source>
+        <translation>Läge</translation>
+    </message>
+    <message>
+        <source>First difference, or remarks</source>
+        <translation>Första skillnad, eller anmärkningar</translation>
+    </message>
+    <message>
+        <source>What was verified</source>
+        <translation>Vad som verifierats</translation>
+    </message>
+    <message>
+        <source>&amp;Folder...</source>
+        <translation>&amp;Mapp...</translation>
+    </message>
+    <message>
+        <source>The folder of a certificate, or one above several</source>
+        <translation>Mappen för ett bevis, eller en ovanför flera</translation>
+    </message>
+    <message>
+        <source>F&amp;iles...</source>
+        <translation>F&amp;iler...</translation>
+    </message>
+    <message>
+        <source>Certificates, results, projects, recordings or a registry</source>
+        <translation>Bevis, resultat, projekt, inspelningar eller ett register</translation>
+    </message>
+    <message>
+        <source>Folder to verify</source>
+        <translation>Mapp att verifiera</translation>
+    </message>
+    <message>
+        <source>Files to verify</source>
+        <translation>Filer att verifiera</translation>
+    </message>
+    <message>
+        <source>All files (*)</source>
+        <translation>Alla filer (*)</translation>
     </message>
 </context>
 <context>

@@ -9,8 +9,10 @@
 #include "core/base/foreign_text.h"
 #include "core/base/json_text.h"
 #include "registry/cards/card_csv.h"
+#include "registry/cards/card_json.h"
 #include "registry/cards/card_register.h"
 #include "registry/certificates/certificate_register.h"
+#include "registry/store/trail_table.h"
 
 #include <fstream>
 #include <iostream>
@@ -72,6 +74,44 @@ int makeVoid(const RegistryOptions &options)
     return static_cast<int>(ExitCode::Done);
 }
 
+nlohmann::json jsonOf(const AuditEntry &entry)
+{
+    return {{"sequence", entry.sequence}, {"utc", entry.utc}, {"who", entry.who},
+        {"action", entry.action}, {"object", entry.object}, {"before", entry.before},
+        {"after", entry.after}, {"reason", entry.reason}, {"program", entry.program},
+        {"previous", entry.previous}, {"sha256", entry.sha256}};
+}
+
+std::string lineOf(const AuditEntry &entry)
+{
+    std::string line = std::to_string(entry.sequence) + "  " + entry.utc;
+    for (const std::string &text : {entry.who, entry.action, entry.object, entry.reason})
+        line += text.empty() ? "" : "  " + presentableInBrief(text);
+    return line + '\n';
+}
+
+/// The audit trail, or the entries about one certificate.
+int listTrail(const RegistryOptions &options)
+{
+    Result<CertificateRegister> registry = CertificateRegister::openToRead(options.registry);
+    if (!registry)
+        return report(registry.error());
+    const auto entries = options.number > 0
+        ? entriesOf(registry->database(), certificateObject(options.number))
+        : allEntries(registry->database());
+    if (!entries)
+        return report(entries.error());
+    nlohmann::json list = nlohmann::json::array();
+    for (const AuditEntry &entry : *entries)
+        if (options.json)
+            list.push_back(jsonOf(entry));
+        else
+            std::cout << lineOf(entry);
+    if (options.json)
+        std::cout << jsonText(list);
+    return static_cast<int>(ExitCode::Done);
+}
+
 int listCards(const RegistryOptions &options)
 {
     Result<CertificateRegister> registry = CertificateRegister::openToRead(options.registry);
@@ -80,7 +120,7 @@ int listCards(const RegistryOptions &options)
     const auto cards = cardsOf(registry->database(), options.kind);
     if (!cards)
         return report(cards.error());
-    std::cout << cardsCsv(*cards);
+    std::cout << (options.json ? cardsJson(*cards) : cardsCsv(*cards));
     return static_cast<int>(ExitCode::Done);
 }
 
@@ -93,7 +133,9 @@ int importCards(const RegistryOptions &options)
                 ? now.error()
                 : Error{ErrorKind::FileUnreadable,
                     {DYNCAL_TEXT("core", "The file %1 does not exist."), {options.file}}, {}, 0});
-    const auto cards = parseCards({std::istreambuf_iterator<char>(in), {}}, options.kind);
+    const std::string text{std::istreambuf_iterator<char>(in), {}};
+    const auto cards = options.file.ends_with(".json") ? parseCardsJson(text, options.kind)
+                                                       : parseCards(text, options.kind);
     if (!cards)
         return report(cards.error());
     Result<CertificateRegister> registry = CertificateRegister::open(options.registry);
@@ -117,12 +159,15 @@ void addCards(CLI::App &verb, const std::shared_ptr<RegistryOptions> &options, V
         return one;
     };
     CLI::App *shown = declare(verb.add_subcommand("cards", "Cards of a kind, as CSV"));
+    shown->add_flag("--json", options->json, "As JSON");
     shown->callback([options, &action] { action = [options] { return listCards(*options); }; });
     CLI::App *taken = declare(verb.add_subcommand(
-        "import", "Take cards from a CSV file; those of the same name are changed"));
-    taken->add_option("file", options->file, "A table with a column \"name\"")
+        "import", "Take cards from a file; those of the same name are changed"));
+    taken
+        ->add_option(
+            "file", options->file, "A table with a column \"name\", or what cards --json prints")
         ->required()
-        ->type_name("FILE.csv");
+        ->type_name("FILE.csv|FILE.json");
     declareReason(*taken, options->by, options->reason);
     taken->callback([options, &action] { action = [options] { return importCards(*options); }; });
 }
@@ -139,6 +184,13 @@ void addRegistry(CLI::App &program, VerbAction &action)
     declareRegistry(*all, options->registry);
     all->add_flag("--json", options->json, "As JSON");
     all->callback([options, &action] { action = [options] { return list(*options); }; });
+    CLI::App *trail = verb->add_subcommand("trail", "The audit trail: who did what when, and why");
+    trail->add_option("--number", options->number, "Only what is about this certificate")
+        ->check(CLI::PositiveNumber)
+        ->type_name("NUMBER");
+    declareRegistry(*trail, options->registry);
+    trail->add_flag("--json", options->json, "As JSON");
+    trail->callback([options, &action] { action = [options] { return listTrail(*options); }; });
     CLI::App *none
         = verb->add_subcommand("void", "Give up a reserved number that will not be issued");
     none->add_option("number", options->number, "A reserved number")

@@ -192,4 +192,14 @@ Findings issueObstacles(
     return findings;
 }
 
+Finding staleResults()
+{
+    return {.id = "CER-004",
+        .severity = Severity::Block,
+        .message
+        = {DYNCAL_TEXT("core",
+               "The results are not of the recipe and recordings as they are now; wait for them or compute again (F9), then issue."),
+            {}}};
+}
+
 } // namespace dyncal

@@ -20,4 +20,8 @@ namespace dyncal {
 Findings issueObstacles(
     const PipelineOutcome &outcome, const Recipe &recipe, const IssueNames &names);
 
+/// CER-004: what is on show was computed from another recipe or other recordings than there are
+/// now.
+Finding staleResults();
+
 } // namespace dyncal

@@ -3,11 +3,14 @@
 
 #pragma once
 
+#include <cstddef>
 #include <map>
 #include <optional>
 #include <string>
 
 namespace dyncal {
+
+inline constexpr std::size_t kLongestCardName = 200; ///< bytes
 
 /// What is known of a laboratory, a customer, a sensor or a reference instrument, by its name.
 struct Card

@@ -14,7 +14,6 @@ namespace {
 using Cells = std::vector<std::string>;
 
 constexpr const char *kName = "name";
-constexpr std::size_t kLongestName = 200;
 
 std::string cellOf(const std::string &text)
 {
@@ -179,7 +178,7 @@ Result<std::vector<Card>> parseCards(const std::string &csv, const std::string &
             return wrongLine(i + 1, "it has not as many columns as the titles");
         cards.push_back(cardOf(titles, cells, kind));
         const std::string &name = cards.back().name;
-        if (name.empty() || name.size() > kLongestName)
+        if (name.empty() || name.size() > kLongestCardName)
             return wrongLine(i + 1, "the name is missing or longer than 200 bytes");
         if (!names.insert(name).second)
             return wrongLine(i + 1, "the name is there twice");

@@ -4,8 +4,8 @@
 #pragma once
 
 #include "tests/system/short_capture.h"
+#include "tests/system/written_project.h"
 
-#include <QCryptographicHash>
 #include <QDir>
 #include <QDirIterator>
 #include <QJsonArray>
@@ -55,13 +55,7 @@ struct IssuedJob
     }
     bool writeProject(const QJsonObject &recipe) const
     {
-        const QByteArray sha256
-            = QCryptographicHash::hash(fileBytes(path("shot.h5")), QCryptographicHash::Sha256)
-                  .toHex();
-        const QJsonObject project{{"format", "dyncal-project"}, {"version", 1}, {"recipe", recipe},
-            {"captures",
-                QJsonArray{QJsonObject{{"path", "shot.h5"}, {"sha256", QString(sha256)}}}}};
-        return writeBytes(path("job.dyncal"), QJsonDocument(project).toJson());
+        return ::writeProject(path("job.dyncal"), path("shot.h5"), recipe);
     }
     Answer issue(const QStringList &more = {},
         const QStringList &environment = {"SOURCE_DATE_EPOCH=1767225600"}) const

@@ -5,19 +5,21 @@
 
 #include "tests/system/dyncal_process.h"
 
+#include <QCryptographicHash>
 #include <QDir>
 #include <QFileInfo>
 #include <QJsonArray>
 #include <QJsonDocument>
 #include <QJsonObject>
 
-/// Writes a project of the first shot of a capture beside it, with this recipe.
+/// Writes a project of a capture and this recipe.
 inline bool writeProject(const QString &project, const QString &capture, QJsonObject recipe)
 {
     recipe["schema"] = "dyncal-recipe/1";
-    const QJsonObject info = runDyncal({"info", capture, "--json"}).json();
-    const QJsonObject entry{{"path", QFileInfo(project).dir().relativeFilePath(capture)},
-        {"sha256", info["files"][0]["sha256"]}, {"shots", QJsonArray{1}}};
+    const QByteArray sha256
+        = QCryptographicHash::hash(fileBytes(capture), QCryptographicHash::Sha256).toHex();
+    const QJsonObject entry{
+        {"path", QFileInfo(project).dir().relativeFilePath(capture)}, {"sha256", QString(sha256)}};
     const QJsonObject whole{{"format", "dyncal-project"}, {"version", 1}, {"recipe", recipe},
         {"captures", QJsonArray{entry}}};
     return writeBytes(project, QJsonDocument(whole).toJson());

@@ -110,6 +110,10 @@ void MainMenus::addFileMenu()
         [=] { files->exportModel(); });
     addAction(menu, "exportCertificateAction", tr("Export cer&tificate..."), QKeySequence("Ctrl+P"),
         [=] { files->exportCertificate(); });
+    addAction(menu, "issueAction", tr("&Issue certificate..."), QKeySequence("Ctrl+I"),
+        [this] { m_parts.tools.issueCertificate(); });
+    addAction(
+        menu, "registryAction", tr("Re&gistry..."), {}, [this] { m_parts.tools.showRegistry(); });
     addAction(menu, "saveAllPlotsAction", tr("Save all p&lots..."), QKeySequence("Ctrl+Shift+P"),
         m_parts.savePlots);
     menu->addSeparator();

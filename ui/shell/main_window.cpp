@@ -71,7 +71,8 @@ MainWindow::MainWindow(Session::Pipeline pipeline, CurrentUtc currentUtc, Prefer
     , m_inspectors(new QStackedWidget(this))
     , m_work(new WorkStatus(*statusBar(), m_session, *m_files, this))
     , m_sources(new SourceNotice(m_session, m_files->captures(), m_prompts, *m_sourceBanner, this))
-    , m_tools(new ToolWindows({m_session, m_currentUtc, prompts, preferences, language}, this))
+    , m_tools(new ToolWindows(
+          {m_session, m_currentUtc, prompts, preferences, language, *m_files}, this))
     , m_nextLine(new QToolBar(this))
 {
     initialiseResources();

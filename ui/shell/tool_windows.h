@@ -10,7 +10,9 @@
 
 namespace dyncal {
 
+class FileActions;
 class Language;
+class RegistryWindow;
 
 /// Windows beside the main one that are opened by its menus.
 class ToolWindows : public QObject
@@ -26,6 +28,7 @@ public:
         Prompts &prompts;
         Preferences &preferences;
         Language &language;
+        FileActions &files;
     };
 
     ToolWindows(Parts parts, QWidget *window);
@@ -33,11 +36,14 @@ public:
 
     void testInstallation();
     void correctRecording(); ///< the one that is there comes to the front
+    void showRegistry(); ///< the same
+    void issueCertificate();
 
 private:
     Parts m_parts;
     QWidget *m_window;
     QPointer<CorrectionWindow> m_correction;
+    QPointer<RegistryWindow> m_registry;
 };
 
 } // namespace dyncal

@@ -67,9 +67,10 @@ BatchWindow::BatchWindow(
     connect(m_table, &BatchTable::selectionChanged, this, &BatchWindow::showWork);
     connect(&m_follower, &BatchFollower::changed, this, &BatchWindow::showMoment);
     connect(&m_follower, &BatchFollower::problemChanged, this, &BatchWindow::showOutcome);
-    connect(&m_process, &BatchProcess::ended, this, [this](bool isStopped, const QString &problem) {
+    connect(&m_process, &ProgramCall::ended, this, [this](const ProgramAnswer &answer) {
+        const QString problem = problemOf(answer);
         showOutcome(!problem.isEmpty() ? problem
-                : isStopped            ? tr("The run was stopped; what is complete is kept.")
+                : answer.isStopped     ? tr("The run was stopped; what is complete is kept.")
                                        : tr("The run has ended."));
         m_follower.lookNow();
     });
@@ -188,7 +189,8 @@ void BatchWindow::run()
         showOutcome(translated(methods.error().message));
         return;
     }
-    m_process.start(m_follower.planPath(), m_jobs->value());
+    m_process.start({QStringLiteral("batch"), QStringLiteral("run"), m_follower.planPath(),
+        QStringLiteral("--jobs"), QString::number(m_jobs->value())});
     showOutcome({});
     m_follower.lookNow();
 }

@@ -6,8 +6,8 @@
 #include "core/batch/batch_planning.h"
 #include "ui/session/job_runner.h"
 #include "ui/shell/batch/batch_follower.h"
-#include "ui/shell/batch/batch_process.h"
 #include "ui/shell/batch/batch_table.h"
+#include "ui/shell/program/program_call.h"
 
 #include <QDialog>
 
@@ -82,7 +82,7 @@ private:
     QPushButton *m_merge = nullptr;
     QPushButton *m_open = nullptr;
     BatchFollower m_follower;
-    BatchProcess m_process;
+    ProgramCall m_process;
     JobRunner m_job; ///< planning or merging
 };
 

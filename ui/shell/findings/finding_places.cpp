@@ -114,6 +114,7 @@ constexpr std::pair<std::string_view, FindingPlace> kPlaces[]{
     {"CER-001", {Page::Certificate, "field_customer"}},
     {"CER-002", {Page::Certificate, "field_remarks"}},
     {"CER-003", {Page::Uncertainty, "budgetTable"}},
+    {"CER-004", {Page::Certificate, "exportCertificate"}},
     {"CER-005", {Page::Certificate, "field_approved_by"}},
     {"CER-006", {Page::Certificate, "exportCertificate"}},
     {"CER-008", {Page::Uncertainty, "uncertaintyResult"}},

@@ -16,6 +16,12 @@ constexpr int kMostRecentFiles = 10;
 /// Raised when docks are added or renamed, so that an old layout is not restored onto new docks.
 constexpr int kLayoutVersion = 2;
 
+QString issuingKey(Preferences::Issuing what)
+{
+    constexpr const char *kKeys[]{"issuing/by", "issuing/folder", "issuing/registry"};
+    return kKeys[static_cast<std::size_t>(what)];
+}
+
 } // namespace
 
 Preferences::Preferences(const QString &path)
@@ -90,6 +96,16 @@ QString Preferences::lastFolder() const
 void Preferences::setLastFolder(const QString &folder)
 {
     m_settings.setValue("lastFolder", folder);
+}
+
+QString Preferences::issuing(Issuing what) const
+{
+    return m_settings.value(issuingKey(what)).toString();
+}
+
+void Preferences::setIssuing(Issuing what, const QString &text)
+{
+    m_settings.setValue(issuingKey(what), text);
 }
 
 QStringList Preferences::recentFiles() const

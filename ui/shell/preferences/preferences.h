@@ -37,6 +37,12 @@ public:
     QString lastFolder() const;
     void setLastFolder(const QString &folder);
 
+    /// Of issued certificates: who issues them, where their folders go, which registry (without a
+    /// server's password). Empty until they were given.
+    enum class Issuing { By, Folder, Registry };
+    QString issuing(Issuing what) const;
+    void setIssuing(Issuing what, const QString &text);
+
     /// Projects opened last, newest first, at most ten, only those that still exist.
     QStringList recentFiles() const;
     void addRecentFile(const QString &path);

@@ -1,0 +1,356 @@
+// SPDX-FileCopyrightText: 2026 The Dyncal authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// The registry through its window, and a certificate issued, amended and withdrawn from it, by the
+// program as it is built.
+
+#include "core/pipeline/pipeline.h"
+#include "tests/support/test_program.h"
+#include "tests/system/issued_job.h"
+#include "tests/ui/shell/window_bench.h"
+#include "tests/ui/support/event_loop_watchdog.h"
+#include "tests/ui/support/layout_faults.h"
+#include "ui/shell/preferences/theme_style.h"
+#include "ui/shell/registry/issue_dialog.h"
+#include "ui/shell/registry/registry_window.h"
+
+#include <QAction>
+#include <QComboBox>
+#include <QLabel>
+#include <QLineEdit>
+#include <QListWidget>
+#include <QPlainTextEdit>
+#include <QPushButton>
+#include <QTabWidget>
+#include <QTableView>
+#include <QTableWidget>
+#include <QtTest>
+
+using namespace dyncal;
+using dyncal::test::EventLoopWatchdog;
+
+namespace {
+
+constexpr int kPatience_ms = 120'000;
+constexpr qint64 kLongestWork_ms = 200;
+constexpr int kSettle_ms = 100;
+
+/// The main window with a laboratory's folder and the registry in it.
+struct Bench : test::WindowBench
+{
+    IssuedJob job;
+    RegistryWindow *registry = nullptr;
+    QPointer<IssueDialog> issuing;
+
+    Bench()
+        : WindowBench(runPipeline)
+    {
+        preferences.setIssuing(Preferences::Issuing::Registry, job.registry());
+        preferences.setIssuing(Preferences::Issuing::Folder, job.output());
+        window->show();
+    }
+    QString path(const QString &name) const { return job.path(name); }
+    QPushButton *button(const char *name) const { return find<QPushButton>(name); }
+    QString text(const char *label) const { return find<QLabel>(label)->text(); }
+
+    void showRegistry()
+    {
+        find<QAction>("registryAction")->trigger();
+        registry = find<RegistryWindow>("registryWindow");
+        registry->setProgram(qEnvironmentVariable("DYNCAL_BINARY"));
+        registry->refresh();
+        waitForRegistry();
+    }
+    void waitForRegistry() const { QTRY_VERIFY_WITH_TIMEOUT(!registry->isBusy(), kPatience_ms); }
+    void openJob() const
+    {
+        window->files().openProjectFile(path("job.dyncal"));
+        QTRY_VERIFY_WITH_TIMEOUT(
+            window->session().state().hasShots() && window->session().isUpToDate(), kPatience_ms);
+    }
+    void showIssuing()
+    {
+        find<QAction>("issueAction")->trigger();
+        issuing = find<IssueDialog>("issueDialog");
+        issuing->setProgram(qEnvironmentVariable("DYNCAL_BINARY"));
+        issuing->lookUp();
+        QTRY_VERIFY_WITH_TIMEOUT(!issuing->isBusy(), kPatience_ms);
+    }
+    void issueNow() const
+    {
+        QVERIFY2(button("issueNow")->isEnabled(), qPrintable(obstacles().join('\n')));
+        button("issueNow")->click();
+        QTRY_VERIFY_WITH_TIMEOUT(!issuing->isBusy(), kPatience_ms);
+    }
+    QStringList obstacles() const
+    {
+        QStringList lines;
+        const auto *list = find<QListWidget>("issueObstacles");
+        for (int row = 0; row < list->count(); ++row)
+            lines << list->item(row)->text();
+        return lines;
+    }
+    QString cell(const char *table, int row, int column) const
+    {
+        return find<QTableView>(table)->model()->index(row, column).data().toString();
+    }
+    int rows(const char *table) const { return find<QTableView>(table)->model()->rowCount(); }
+    void choose(const char *table, int row) const { find<QTableView>(table)->selectRow(row); }
+    void setCard(int row, int column, const QString &text) const
+    {
+        find<QTableWidget>("cardTable")->item(row, column)->setText(text);
+    }
+};
+
+/// What cannot be read of a window on every ground; DYNCAL_SHOTS=FOLDER keeps pictures.
+QString faultsOf(QWidget &window, const Language &language)
+{
+    QStringList faults;
+    const QString shots = qEnvironmentVariable("DYNCAL_SHOTS");
+    for (const ThemeKind theme : {ThemeKind::Light, ThemeKind::Dark, ThemeKind::HighContrast}) {
+        useTheme(theme);
+        QTest::qWait(kSettle_ms);
+        faults += test::LayoutFaults(window).found();
+        if (!shots.isEmpty())
+            window.grab().save(
+                QString("%1/%2-%3-%4.png")
+                    .arg(shots, window.objectName(), themeName(theme), language.code()));
+    }
+    useTheme(ThemeKind::Light);
+    return faults.join('\n');
+}
+
+} // namespace
+
+class TestRegistryWindow : public QObject
+{
+    Q_OBJECT
+
+private:
+    QTemporaryDir m_recordings;
+
+private slots:
+    void initTestCase() { QVERIFY(simulateShortCapture(m_recordings.filePath("shot.h5"), 7)); }
+
+    void certificate_isIssuedAmendedAndWithdrawn();
+    void obstacles_areNamedBeforeAnythingIsWritten();
+    void cards_areEditedAndSearched();
+    void cardsThatCannotBeTaken_areSaid();
+    void registryThatIsNone_isSaid();
+    void passwords_areNotKept();
+    void everythingFits();
+};
+
+void TestRegistryWindow::certificate_isIssuedAmendedAndWithdrawn()
+{
+    Bench bench;
+    QVERIFY(bench.job.begin(m_recordings.filePath("shot.h5")));
+    bench.openJob();
+    bench.showIssuing();
+    QVERIFY(bench.text("issueState").contains("draft"));
+    QVERIFY(!bench.find<QLineEdit>("issueReason")->isVisible());
+    QCOMPARE(bench.obstacles(), QStringList("Nothing keeps it from being issued."));
+    {
+        EventLoopWatchdog watchdog;
+        bench.issueNow();
+        QVERIFY2(watchdog.longestWork_ms() < kLongestWork_ms,
+            QByteArray::number(watchdog.longestWork_ms()));
+    }
+    QVERIFY2(bench.text("issueOutcome").startsWith("Certificate 1 is issued"),
+        qPrintable(bench.text("issueOutcome")));
+    QCOMPARE(bench.job.verify({bench.job.output() + "/1"}).exitCode, 1); // not signed
+
+    // The same job again is offered an amendment, never an edit.
+    QTRY_VERIFY(bench.text("issueState").contains("certificate 1"));
+    QVERIFY(!bench.button("issueNow")->isEnabled());
+    bench.find<QLineEdit>("issueReason")->setText("serial number corrected");
+    bench.issueNow();
+    QVERIFY2(bench.text("issueOutcome").startsWith("Certificate 2 is issued"),
+        qPrintable(bench.text("issueOutcome")));
+    bench.issuing->close();
+
+    bench.showRegistry();
+    QCOMPARE(bench.rows("certificateTable"), 2);
+    QCOMPARE(bench.cell("certificateTable", 0, 1), QString("issued as an amendment"));
+    QCOMPARE(bench.cell("certificateTable", 0, 7), QString("1"));
+    QCOMPARE(bench.cell("certificateTable", 1, 1), QString("replaced"));
+    bench.choose("certificateTable", 1);
+    QVERIFY(!bench.button("registryWithdraw")->isEnabled());
+    bench.choose("certificateTable", 0);
+    bench.prompts.setNextSentence("--reference found damaged");
+    bench.button("registryWithdraw")->click();
+    bench.waitForRegistry();
+    QTRY_COMPARE(bench.text("registryOutcome"), QString("Certificate 2 is withdrawn."));
+    bench.waitForRegistry();
+    QCOMPARE(bench.cell("certificateTable", 0, 1), QString("withdrawn"));
+    QCOMPARE(bench.cell("certificateTable", 0, 9), QString("--reference found damaged"));
+
+    // Its trail: the newest entry first, with the row before and after.
+    bench.find<QTabWidget>("registryTabs")->setCurrentIndex(1);
+    QCOMPARE(bench.cell("trailTable", 0, 3), QString("withdrawn"));
+    bench.choose("trailTable", 0);
+    const QString entry = bench.find<QPlainTextEdit>("trailEntry")->toPlainText();
+    QVERIFY2(entry.contains("\"state\": \"withdrawn\""), qPrintable(entry));
+    const int all = bench.rows("trailTable");
+    bench.find<QLineEdit>("trailTableText")->setText("AMENDED");
+    QVERIFY(bench.rows("trailTable") > 0 && bench.rows("trailTable") < all);
+
+    // Verified from the window as by the command.
+    bench.find<QTabWidget>("registryTabs")->setCurrentIndex(3);
+    bench.prompts.setNextFile(bench.job.output());
+    bench.button("verifyFolder")->click();
+    bench.waitForRegistry();
+    QCOMPARE(bench.rows("verifyTable"), 2);
+    QVERIFY(writeBytes(bench.job.output() + "/1/recipe.json", "{}"));
+    bench.prompts.setNextFile(bench.job.output());
+    bench.button("verifyFolder")->click();
+    bench.waitForRegistry();
+    QCOMPARE(bench.cell("verifyTable", 1, 2), QString("■ changed"));
+    QVERIFY(bench.cell("verifyTable", 1, 5).contains("recipe.json"));
+}
+
+void TestRegistryWindow::obstacles_areNamedBeforeAnythingIsWritten()
+{
+    Bench bench;
+    QJsonObject recipe = completeRecipe();
+    QJsonObject fields = completeFields();
+    fields.remove("customer_address");
+    recipe["certificate"] = QJsonObject{{"fields", fields}};
+    QVERIFY(bench.job.begin(m_recordings.filePath("shot.h5"), recipe));
+    bench.openJob();
+    bench.showIssuing();
+    QCOMPARE(bench.obstacles().size(), 1);
+    QVERIFY2(bench.obstacles().first().contains("CER-001"), qPrintable(bench.obstacles().first()));
+    QVERIFY(!bench.button("issueNow")->isEnabled());
+
+    // Results of another recipe than the one on the screen issue nothing.
+    Recipe next = bench.window->session().recipe();
+    next.certificate.fields["customer_address"] = "2 Test Street";
+    next.realization.order = 4;
+    bench.window->session().apply(next, "order");
+    QVERIFY2(bench.obstacles().first().contains("CER-004"), qPrintable(bench.obstacles().first()));
+    QVERIFY(!bench.button("issueNow")->isEnabled());
+    QTRY_VERIFY_WITH_TIMEOUT(bench.window->session().isUpToDate(), kPatience_ms);
+    QTRY_VERIFY(!bench.obstacles().first().contains("CER-004"));
+    QVERIFY(!QDir(bench.job.output()).exists());
+    QVERIFY(!QFile::exists(bench.job.registry()));
+}
+
+void TestRegistryWindow::cards_areEditedAndSearched()
+{
+    Bench bench;
+    QVERIFY(writeBytes(bench.path("c.csv"),
+        "name,sensor_serial,note\nAcme 5 17,17,first\n\"Åkerö \"\"9\"\"\",9,\"two\nlines\"\n"));
+    QCOMPARE(runDyncal({"registry", "import", "sensor", bench.path("c.csv"), "--registry",
+                           bench.job.registry(), "--reason", "list", "--by", "A"})
+                 .exitCode,
+        0);
+    bench.showRegistry();
+    auto *kind = bench.find<QComboBox>("cardKind");
+    kind->setCurrentIndex(kind->findData("sensor"));
+    bench.waitForRegistry();
+    auto *table = bench.find<QTableWidget>("cardTable");
+    QCOMPARE(table->rowCount(), 2);
+    QVERIFY(!bench.button("cardKeep")->isEnabled());
+    bench.find<QLineEdit>("cardText")->setText("LINES");
+    QVERIFY(table->isRowHidden(0) && !table->isRowHidden(1));
+    bench.find<QLineEdit>("cardText")->clear();
+
+    bench.setCard(0, 1, "0017");
+    bench.button("cardAdd")->click();
+    bench.setCard(2, 0, "New");
+    bench.setCard(2, 2, "Maker");
+    QVERIFY(bench.button("cardKeep")->isEnabled());
+    bench.prompts.setNextSentence("serial numbers have four digits");
+    bench.button("cardKeep")->click();
+    bench.waitForRegistry();
+    QTRY_COMPARE(bench.text("registryOutcome"), QString("The cards are kept."));
+    bench.waitForRegistry();
+    QCOMPARE(table->rowCount(), 3);
+    const QByteArray csv
+        = runDyncal({"registry", "cards", "sensor", "--registry", bench.job.registry()}).out;
+    QVERIFY2(csv.contains("0017") && csv.contains("\"two\nlines\"") && csv.contains("New"), csv);
+    // Two cards changed: two entries, with the reason.
+    const QJsonArray trail = QJsonDocument::fromJson(
+        runDyncal({"registry", "trail", "--json", "--registry", bench.job.registry()}).out)
+                                 .array();
+    int reasons = 0;
+    for (const QJsonValue &entry : trail)
+        reasons += entry["reason"].toString() == "serial numbers have four digits" ? 1 : 0;
+    QCOMPARE(reasons, 2);
+
+    bench.prompts.setNextFile(bench.path("out.csv"));
+    bench.button("cardExport")->click();
+    bench.waitForRegistry();
+    QCOMPARE(fileBytes(bench.path("out.csv")), csv);
+}
+
+void TestRegistryWindow::cardsThatCannotBeTaken_areSaid()
+{
+    Bench bench;
+    bench.showRegistry();
+    bench.button("cardAdd")->isEnabled();
+    QVERIFY(writeBytes(bench.path("bad.csv"), "title\nx\n"));
+    bench.prompts.setNextFile(bench.path("bad.csv"));
+    bench.prompts.setNextSentence("try");
+    bench.button("cardImport")->click();
+    bench.waitForRegistry();
+    QVERIFY2(bench.text("registryOutcome").contains("\"name\""),
+        qPrintable(bench.text("registryOutcome")));
+}
+
+void TestRegistryWindow::registryThatIsNone_isSaid()
+{
+    Bench bench;
+    bench.showRegistry();
+    QVERIFY(writeBytes(bench.path("none.sqlite"), "this is no database"));
+    bench.prompts.setNextFile(bench.path("none.sqlite"));
+    bench.button("registryChoose")->click();
+    bench.waitForRegistry();
+    QVERIFY2(
+        bench.text("registryOutcome").endsWith('.'), qPrintable(bench.text("registryOutcome")));
+    QCOMPARE(fileBytes(bench.path("none.sqlite")), QByteArray("this is no database"));
+
+    bench.registry->setProgram(bench.path("nothing"));
+    bench.registry->refresh();
+    QTRY_VERIFY(bench.text("registryOutcome").contains("could not be started"));
+    bench.waitForRegistry();
+}
+
+void TestRegistryWindow::passwords_areNotKept()
+{
+    Bench bench;
+    bench.showRegistry();
+    auto *address = bench.find<QLineEdit>("registryAddress");
+    address->setText("postgresql://lab:secret@127.0.0.1:1/registry");
+    QTest::keyClick(address, Qt::Key_Return);
+    bench.waitForRegistry();
+    QCOMPARE(bench.preferences.issuing(Preferences::Issuing::Registry),
+        QString("postgresql://lab@127.0.0.1:1/registry"));
+    QVERIFY2(!bench.text("registryOutcome").isEmpty()
+            && !bench.text("registryOutcome").contains("secret"),
+        qPrintable(bench.text("registryOutcome")));
+}
+
+void TestRegistryWindow::everythingFits()
+{
+    Bench bench;
+    QVERIFY(bench.job.begin(m_recordings.filePath("shot.h5")));
+    QCOMPARE(bench.job.issue().exitCode, 0);
+    bench.openJob();
+    for (const char *code : {"sv", "en"}) {
+        bench.language.install(code);
+        bench.showIssuing();
+        QCOMPARE(faultsOf(*bench.issuing, bench.language), QString());
+        delete bench.issuing;
+        bench.showRegistry();
+        for (int tab = 0; tab < 4; ++tab) {
+            bench.find<QTabWidget>("registryTabs")->setCurrentIndex(tab);
+            bench.registry->setObjectName(QString("registryWindow"));
+            QCOMPARE(faultsOf(*bench.registry, bench.language), QString());
+        }
+    }
+}
+
+DYNCAL_TEST(TestRegistryWindow)
+#include "tst_registry_window.moc"
