@@ -55,7 +55,7 @@ struct IssuedJob
     }
     bool writeProject(const QJsonObject &recipe) const
     {
-        return ::writeProject(path("job.dyncal"), path("shot.h5"), recipe);
+        return ::writeProject(path("job.dyncal"), {path("shot.h5")}, recipe);
     }
     Answer issue(const QStringList &more = {},
         const QStringList &environment = {"SOURCE_DATE_EPOCH=1767225600"}) const

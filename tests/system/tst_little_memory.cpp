@@ -174,7 +174,7 @@ private slots:
         QVERIFY(writeBytes(table(), text));
         const QJsonObject few{{"uncertainty", QJsonObject{{"monte_carlo_trials", 100}}}};
         QVERIFY(writeBytes(quick(), QJsonDocument(few).toJson()));
-        QVERIFY(writeProject(project(), capture(), few));
+        QVERIFY(writeProject(project(), {capture()}, few));
         m_lowest_MiB = smallest_MiB(1, answersItsVersion);
         qInfo("--version starts from %d MiB on", int(m_lowest_MiB));
     }

@@ -71,7 +71,7 @@ private slots:
         QVERIFY(QFile::copy(path("simulated.h5"), path("work/a.h5")));
         const QJsonObject recipe{{"uncertainty", QJsonObject{{"monte_carlo_trials", 100}}},
             {"certificate", QJsonObject{{"fields", QJsonObject{{"customer", "First"}}}}}};
-        QVERIFY(writeProject(path("work/job.dyncal"), path("work/a.h5"), recipe));
+        QVERIFY(writeProject(path("work/job.dyncal"), {path("work/a.h5")}, recipe));
     }
 
     void killed_whileEdited_offersTheWorkAndSavesItToItsProject()
@@ -187,6 +187,42 @@ private slots:
         QVERIFY(QFile::rename(path("work/b.h5"), path("work/a.h5")));
         QCOMPARE(window.ask("click restoreWork"), QString("done"));
         QVERIFY2(window.waitFor("title", "job[*] – Dyncal modified"), window.last());
+    }
+
+    /// Scenario S28: one recording is moved, a byte of another one changed, while the program lies
+    /// dead in the middle of an edit.
+    void s28_movedAndChangedRecordings_areNamedAndNothingLeaves()
+    {
+        const QString project = path("work/job.dyncal");
+        QVERIFY(QFile::copy(path("simulated.h5"), path("work/shot_low.h5")));
+        QCOMPARE(runDyncal({"simulate", "-o", path("work/shot_high.h5"), "--sample-rate-hz", "2e7",
+                               "--duration-s", "0.005", "--shots", "high", "--seed", "3"})
+                     .exitCode,
+            0);
+        const QJsonObject recipe{{"uncertainty", QJsonObject{{"monte_carlo_trials", 100}}}};
+        QVERIFY(writeProject(
+            project, QStringList{path("work/shot_low.h5"), path("work/shot_high.h5")}, recipe));
+        editAndKill(project, "Second");
+        QVERIFY(QDir(m_folder.path()).mkpath("work/elsewhere"));
+        QVERIFY(QFile::rename(path("work/shot_high.h5"), path("work/elsewhere/shot_high.h5")));
+        QByteArray bytes = fileBytes(path("work/shot_low.h5"));
+        const auto middle = bytes.size() / 2; // among the samples
+        bytes[middle] = static_cast<char>(bytes[middle] ^ 1);
+        QVERIFY(writeBytes(path("work/shot_low.h5"), bytes));
+
+        WindowProcess window(home(), {});
+        QVERIFY2(window.waitFor(kOffer, "Recovered work on job from "), window.last());
+        const QRegularExpression times("from \\d\\d:\\d\\d:\\d\\d \\(\\d+ s before stop\\)");
+        QVERIFY2(times.match(window.ask(kOffer)).hasMatch(), window.last());
+        QCOMPARE(window.ask("click restoreWork"), QString("done"));
+        QVERIFY2(window.waitFor(kOffer, "shot_high.h5"), window.last());
+        QCOMPARE(window.ask("start locateRecordings"), QString("done"));
+        QVERIFY2(window.waitFor("text fileNameEdit", ""), window.last());
+        QCOMPARE(window.ask("type fileNameEdit " + path("work/elsewhere")), QString("done"));
+        QVERIFY2(window.waitFor("list findingsPanel", "CAP-015"), window.last());
+        QVERIFY2(window.last().contains("shot_low.h5"), window.last());
+        QCOMPARE(window.ask("key Alt+0"), QString("done"));
+        QCOMPARE(window.ask(QString("text %1").arg(kCustomer)), QString("Second"));
     }
 
     void commandLine_leavesTheWorkAlone()

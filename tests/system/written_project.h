@@ -12,15 +12,18 @@
 #include <QJsonDocument>
 #include <QJsonObject>
 
-/// Writes a project of a capture and this recipe.
-inline bool writeProject(const QString &project, const QString &capture, QJsonObject recipe)
+/// Writes a project of captures and this recipe.
+inline bool writeProject(const QString &project, const QStringList &captures, QJsonObject recipe)
 {
     recipe["schema"] = "dyncal-recipe/1";
-    const QByteArray sha256
-        = QCryptographicHash::hash(fileBytes(capture), QCryptographicHash::Sha256).toHex();
-    const QJsonObject entry{
-        {"path", QFileInfo(project).dir().relativeFilePath(capture)}, {"sha256", QString(sha256)}};
-    const QJsonObject whole{{"format", "dyncal-project"}, {"version", 1}, {"recipe", recipe},
-        {"captures", QJsonArray{entry}}};
+    QJsonArray entries;
+    for (const QString &capture : captures) {
+        const QByteArray sha256
+            = QCryptographicHash::hash(fileBytes(capture), QCryptographicHash::Sha256).toHex();
+        entries.append(QJsonObject{{"path", QFileInfo(project).dir().relativeFilePath(capture)},
+            {"sha256", QString(sha256)}});
+    }
+    const QJsonObject whole{
+        {"format", "dyncal-project"}, {"version", 1}, {"recipe", recipe}, {"captures", entries}};
     return writeBytes(project, QJsonDocument(whole).toJson());
 }

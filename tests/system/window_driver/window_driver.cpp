@@ -23,8 +23,8 @@
 ///   list NAME            all items of a list or table, in one line
 ///   click NAME           presses a button
 ///   trigger NAME         chooses an action of a menu
-///   start NAME           the same, without waiting for the dialog that it opens
-///   accept               presses OK in a message box; answers its text, or "-" without a box
+///   start NAME           chooses an action or presses a button, not waiting for the dialog that
+///   opens accept               presses OK in a message box; answers its text, or "-" without a box
 ///   type NAME WORDS      replaces the text of a line edit and presses Return
 ///   key KEYS             presses a shortcut, such as Alt+9
 class WindowDriver : public QObject
@@ -94,7 +94,9 @@ private:
             return itemsOf(widget).toUtf8();
         if (verb == "text")
             return textOf(widget).toUtf8();
-        if (auto *button = qobject_cast<QAbstractButton *>(widget); verb == "click" && button)
+        if (auto *button = qobject_cast<QAbstractButton *>(widget); verb == "start" && button)
+            QMetaObject::invokeMethod(button, &QAbstractButton::click, Qt::QueuedConnection);
+        else if (button && verb == "click")
             button->click();
         else if (auto *edit = qobject_cast<QLineEdit *>(widget); verb == "type" && edit)
             type(edit, words);

@@ -97,6 +97,14 @@ IssueDialog::IssueDialog(Session &session, CurrentUtc currentUtc, FileActions &f
     column->addWidget(m_progress);
     column->addWidget(m_outcome);
     column->addLayout(buttons);
+    followChanges();
+    resize(kFirstSize);
+    m_caller.setAddress(m_registry->text());
+    showCertificate();
+}
+
+void IssueDialog::followChanges()
+{
     connect(m_choose, &QPushButton::clicked, this, &IssueDialog::askForFolder);
     connect(m_issue, &QPushButton::clicked, this, &IssueDialog::issue);
     connect(m_close, &QPushButton::clicked, this, &QDialog::reject);
@@ -108,9 +116,6 @@ IssueDialog::IssueDialog(Session &session, CurrentUtc currentUtc, FileActions &f
         connect(&m_session, signal, this, &IssueDialog::showObstacles);
     connect(&m_caller, &RegistryCaller::busyChanged, this, &IssueDialog::showObstacles);
     connect(&m_caller, &RegistryCaller::failed, m_outcome, &QLabel::setText);
-    resize(kFirstSize);
-    m_caller.setAddress(m_registry->text());
-    showCertificate();
 }
 
 void IssueDialog::buildForm(QFormLayout &form)

@@ -41,6 +41,7 @@ public:
 
 private:
     void buildForm(QFormLayout &form);
+    void followChanges();
     IssueNames names() const;
     void showObstacles();
     void showCertificate();
