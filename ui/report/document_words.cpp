@@ -4,6 +4,7 @@
 #include "ui/report/document_words.h"
 
 #include "ui/text/core_text.h"
+#include "ui/text/filled_words.h"
 
 namespace dyncal {
 
@@ -19,21 +20,12 @@ QString DocumentWords::operator()(const Message &message) const
     const QString first = printed(message);
     if (!m_second)
         return first;
-    const QString second = inSecond(message);
+    const QString second = filledWords(
+        message, [this](const char *text) { return m_second->translate("core", text); });
     if (second == first)
         return first;
     const bool isLabel = first.size() <= kLongestLabel && !first.contains(QLatin1Char('\n'));
     return first + (isLabel ? QStringLiteral(" / ") : QStringLiteral("\n")) + second;
-}
-
-QString DocumentWords::inSecond(const Message &message) const
-{
-    const QString text = m_second->translate("core", message.text);
-    QString sentences = QString::fromStdString(
-        fillPlaces(text.toStdString(), message.arguments, ArgumentText::Full));
-    for (const Message &sentence : message.below)
-        sentences += QLatin1Char('\n') + inSecond(sentence);
-    return sentences;
 }
 
 } // namespace dyncal

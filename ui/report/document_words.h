@@ -25,8 +25,6 @@ public:
     QString operator()(const Message &message) const;
 
 private:
-    QString inSecond(const Message &message) const;
-
     std::shared_ptr<const ReportLanguage> m_second;
 };
 

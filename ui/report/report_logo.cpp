@@ -11,7 +11,7 @@ namespace {
 
 QByteArray bytesOf(const CertificateLogo &logo)
 {
-    return QByteArray::fromStdString(logo.bytes);
+    return {logo.bytes.data(), static_cast<qsizetype>(logo.bytes.size())};
 }
 
 QImage onWhite(const QImage &image)
