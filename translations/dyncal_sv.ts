@@ -13243,22 +13243,6 @@ steget</translation>
 <context>
     <name>dyncal::TemplatePanel</name>
     <message>
-        <source>Accredited: the usual certificate</source>
-        <translation>Ackrediterad: det vanliga beviset</translation>
-    </message>
-    <message>
-        <source>Full: with all figures of the method</source>
-        <translation>Fullständig: med metodens alla figurer</translation>
-    </message>
-    <message>
-        <source>Short: results without shots, model and figures</source>
-        <translation>Kort: resultat utan skott, modell och figurer</translation>
-    </message>
-    <message>
-        <source>Research: with every figure there is</source>
-        <translation>Forskning: med alla figurer som finns</translation>
-    </message>
-    <message>
         <source>Template</source>
         <translation>Mall</translation>
     </message>
@@ -13281,6 +13265,38 @@ steget</translation>
     <message>
         <source>Choose %1</source>
         <translation>Välj %1</translation>
+    </message>
+    <message>
+        <source>Accredited</source>
+        <translation>Ackrediterad</translation>
+    </message>
+    <message>
+        <source>The usual certificate.</source>
+        <translation>Det vanliga beviset.</translation>
+    </message>
+    <message>
+        <source>Full</source>
+        <translation>Fullständig</translation>
+    </message>
+    <message>
+        <source>With all figures of the method.</source>
+        <translation>Med metodens alla figurer.</translation>
+    </message>
+    <message>
+        <source>Short</source>
+        <translation>Kort</translation>
+    </message>
+    <message>
+        <source>Without shots, model and figures.</source>
+        <translation>Utan skott, modell och figurer.</translation>
+    </message>
+    <message>
+        <source>Research annex</source>
+        <translation>Forskningsbilaga</translation>
+    </message>
+    <message>
+        <source>With every figure there is.</source>
+        <translation>Med alla figurer som finns.</translation>
     </message>
 </context>
 <context>

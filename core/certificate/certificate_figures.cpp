@@ -30,9 +30,10 @@ bool hasWindow(R r)
 {
     return r.window != nullptr;
 }
+/// One shot alone has none: its figures would be empty.
 bool hasComponents(R r)
 {
-    return r.components != nullptr;
+    return r.components && r.components->principal;
 }
 bool hasInput(R r)
 {

@@ -166,14 +166,14 @@ private:
                 = std::max(least[column], FlowText::longestWord(words, face, m_device) + padding);
         };
         for (std::size_t c = 0; c < table.columns.size(); ++c) {
-            const QString words = m_words(table.columns[c].heading);
+            const QString words = m_words.inTable(table.columns[c].heading);
             // Headings may wrap: only their longest word counts as natural.
             const double word
                 = FlowText::longestWord(words, m_style.tableBold, m_device) + 2.0 * kCellPadding;
             natural[c] = std::max(natural[c], word);
             least[c] = std::max(least[c], word);
             for (const std::vector<Message> &cells : table.rows)
-                include(c, m_words(cells[c]), m_style.table);
+                include(c, m_words.inTable(cells[c]), m_style.table);
         }
         return columnWidths(natural, least, m_width);
     }
@@ -185,8 +185,9 @@ private:
         double height = 0.0;
         for (std::size_t c = 0; c < cells.size(); ++c) {
             const Qt::Alignment side = table.columns[c].number ? Qt::AlignRight : Qt::AlignLeft;
-            texts.emplace_back(m_words(cells[c]), isHeader ? m_style.tableBold : m_style.table,
-                widths[c] - 2.0 * kCellPadding, m_device, side);
+            texts.emplace_back(m_words.inTable(cells[c]),
+                isHeader ? m_style.tableBold : m_style.table, widths[c] - 2.0 * kCellPadding,
+                m_device, side);
             height = std::max(height, texts.back().height());
         }
         FlowBlock block;

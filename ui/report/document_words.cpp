@@ -16,16 +16,29 @@ DocumentWords::DocumentWords(const std::string &secondLanguage)
 
 QString DocumentWords::operator()(const Message &message) const
 {
-    constexpr qsizetype kLongestLabel = 70; // letters; what is longer is a sentence
+    constexpr qsizetype kLongestLabel = 70; // letters
     const QString first = printed(message);
+    const QString other = second(message);
+    if (other.isEmpty())
+        return first;
+    const bool isLabel = first.size() <= kLongestLabel && !first.contains(QLatin1Char('\n'))
+        && !first.endsWith(QLatin1Char('.'));
+    return first + (isLabel ? QStringLiteral(" / ") : QStringLiteral("\n")) + other;
+}
+
+QString DocumentWords::inTable(const Message &message) const
+{
+    const QString other = second(message);
+    return other.isEmpty() ? printed(message) : printed(message) + QLatin1Char('\n') + other;
+}
+
+QString DocumentWords::second(const Message &message) const
+{
     if (!m_second)
-        return first;
-    const QString second = filledWords(
+        return {};
+    const QString other = filledWords(
         message, [this](const char *text) { return m_second->translate("core", text); });
-    if (second == first)
-        return first;
-    const bool isLabel = first.size() <= kLongestLabel && !first.contains(QLatin1Char('\n'));
-    return first + (isLabel ? QStringLiteral(" / ") : QStringLiteral("\n")) + second;
+    return other == printed(message) ? QString() : other;
 }
 
 } // namespace dyncal

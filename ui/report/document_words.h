@@ -14,17 +14,20 @@
 namespace dyncal {
 
 /// The words of a document, which shortens nothing and keeps the lines of what was typed: in the
-/// language that is installed, and beside them in a second one, if it has any. Short words stand
-/// side by side ("Place / Plats"), sentences below each other; what is the same in both, as numbers
-/// and names are, stands once.
+/// language that is installed, and beside them in a second one, if it has any. Labels stand side by
+/// side ("Place / Plats"), sentences and whatever is in a table below each other; what is the same
+/// in both, as numbers and names are, stands once.
 class DocumentWords
 {
 public:
     explicit DocumentWords(const std::string &secondLanguage = {}); ///< "" = none
 
     QString operator()(const Message &message) const;
+    QString inTable(const Message &message) const; ///< whose columns are narrow
 
 private:
+    QString second(const Message &message) const; ///< empty where there is no other one
+
     std::shared_ptr<const ReportLanguage> m_second;
 };
 

@@ -3,7 +3,6 @@
 
 #include "ui/stages/template_panel.h"
 
-#include "core/project/built_in_templates.h"
 #include "ui/report/report_logo.h"
 #include "ui/stages/frame/inspector_form.h"
 #include "ui/stages/frame/recipe_change.h"
@@ -33,15 +32,31 @@ const std::array<Languages, 4> &languageChoices()
     return choices;
 }
 
-QString builtInLabel(const std::string &name)
+struct BuiltInWords
 {
-    if (name == "accredited")
-        return TemplatePanel::tr("Accredited: the usual certificate");
-    if (name == "full")
-        return TemplatePanel::tr("Full: with all figures of the method");
-    if (name == "short")
-        return TemplatePanel::tr("Short: results without shots, model and figures");
-    return TemplatePanel::tr("Research: with every figure there is");
+    const char *name;
+    const char *label;
+    const char *note; ///< what it shows
+};
+
+constexpr std::array<BuiltInWords, 4> kBuiltIn{{
+    {"accredited", QT_TRANSLATE_NOOP("dyncal::TemplatePanel", "Accredited"),
+        QT_TRANSLATE_NOOP("dyncal::TemplatePanel", "The usual certificate.")},
+    {"full", QT_TRANSLATE_NOOP("dyncal::TemplatePanel", "Full"),
+        QT_TRANSLATE_NOOP("dyncal::TemplatePanel", "With all figures of the method.")},
+    {"short", QT_TRANSLATE_NOOP("dyncal::TemplatePanel", "Short"),
+        QT_TRANSLATE_NOOP("dyncal::TemplatePanel", "Without shots, model and figures.")},
+    {"research", QT_TRANSLATE_NOOP("dyncal::TemplatePanel", "Research annex"),
+        QT_TRANSLATE_NOOP("dyncal::TemplatePanel", "With every figure there is.")},
+}};
+
+/// What is wrong with a template, or what a built-in one shows.
+QString noteOf(const std::string &name, const Result<ChosenTemplate> &chosen)
+{
+    if (!chosen)
+        return QStringLiteral("■ ") + translated(chosen.error().message);
+    const auto known = std::ranges::find(kBuiltIn, name, &BuiltInWords::name);
+    return known == kBuiltIn.end() ? QString() : TemplatePanel::tr(known->note);
 }
 
 } // namespace
@@ -105,8 +120,8 @@ void TemplatePanel::showTemplate(const std::string &name)
 {
     const QSignalBlocker quiet(m_template);
     m_template->clear();
-    for (const BuiltInTemplate &known : builtInTemplates())
-        m_template->addItem(builtInLabel(known.name), rawText(known.name));
+    for (const BuiltInWords &known : kBuiltIn)
+        m_template->addItem(tr(known.label), QString::fromLatin1(known.name));
     if (m_template->findData(rawText(name)) < 0)
         m_template->addItem(
             withoutMnemonic(shownText(QFileInfo(rawText(name)).fileName())), rawText(name));
@@ -116,7 +131,7 @@ void TemplatePanel::showTemplate(const std::string &name)
 void TemplatePanel::showLanguages(const Recipe &recipe)
 {
     const Result<ChosenTemplate> chosen = drawableTemplate(recipe.certificate.templateName);
-    m_note->setText(chosen ? QString() : QStringLiteral("■ ") + translated(chosen.error().message));
+    m_note->setText(noteOf(recipe.certificate.templateName, chosen));
     const bool isOfTemplate = chosen && chosen->layout.languages;
     const Languages &shown
         = chosen ? documentLanguages(*chosen, recipe) : recipe.certificate.languages;

@@ -193,23 +193,30 @@ private slots:
     void twoLanguages_standSideBySide()
     {
         const QString both = textOf(pdfOf({}, recipeIn({"en", "sv"})));
-        QVERIFY2(both.contains("Damping ratio / "), qPrintable(both.left(3000)));
-        QVERIFY(both.contains("shall not be reproduced except in full"));
+        QVERIFY2(both.contains("Customer / Kund"), qPrintable(both.left(3000)));
+        for (const char *words : {"Damping ratio", "Relativ dämpning",
+                 "shall not be reproduced except in full", "Kalibrerat objekt"})
+            QVERIFY2(both.contains(QString::fromUtf8(words)), words);
+        QVERIFY(textOf(pdfOf({}, recipeIn({"sv", "en"}))).contains("Kund / Customer"));
         const QString swedish = textOf(pdfOf({}, recipeIn({"sv"})));
-        const QString other = textOf(pdfOf({}, recipeIn({"sv", "en"})));
-        QVERIFY(other.contains(" / Damping ratio"));
-        QVERIFY(!swedish.contains("Damping ratio"));
+        QVERIFY(!swedish.contains("Damping ratio") && !swedish.contains(" / Customer"));
         // Numbers and names stand once.
         QCOMPARE(both.count("SN-0042"), textOf(pdfOf({})).count("SN-0042"));
     }
-    void words_sameInBoth_standOnce()
+    void words_labelsBeside_sentencesBelow_sameOnce()
     {
         const DocumentWords words("sv");
         QCOMPARE(words({"%1", {"2.33 MHz"}}), QString("2.33 MHz"));
-        QVERIFY(words({"Damping ratio", {}}).startsWith("Damping ratio / "));
+        QCOMPARE(words.inTable({"%1", {"2.33 MHz"}}), QString("2.33 MHz"));
+        const Message label{"Damping ratio", {}};
+        QCOMPARE(words(label), QString::fromUtf8("Damping ratio / Relativ dämpning"));
+        QCOMPARE(words.inTable(label), QString::fromUtf8("Damping ratio\nRelativ dämpning"));
         const QString sentence = words({"The results relate only to the item calibrated.", {}});
-        QVERIFY2(sentence.count(" / ") + sentence.count('\n') == 1, qPrintable(sentence));
-        QCOMPARE(DocumentWords()({"Damping ratio", {}}), QString("Damping ratio"));
+        QVERIFY2(sentence.startsWith("The results") && sentence.count('\n') == 1
+                && !sentence.contains(" / "),
+            qPrintable(sentence));
+        QCOMPARE(DocumentWords()(label), QString("Damping ratio"));
+        QCOMPARE(DocumentWords().inTable(label), QString("Damping ratio"));
     }
 };
 
