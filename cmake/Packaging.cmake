@@ -14,6 +14,7 @@ install(FILES packaging/dyncal-mime.xml
     DESTINATION "${CMAKE_INSTALL_DATADIR}/mime/packages" RENAME dyncal.xml)
 install(FILES resources/icons/dyncal.svg
     DESTINATION "${CMAKE_INSTALL_DATADIR}/icons/hicolor/scalable/apps")
+install(DIRECTORY resources/templates DESTINATION "${CMAKE_INSTALL_DATADIR}/dyncal")
 install(FILES packaging/copyright DESTINATION "${CMAKE_INSTALL_DATADIR}/doc/dyncal")
 
 # Debian wants these compressed; -n keeps the time stamp out, so that the package is reproducible.

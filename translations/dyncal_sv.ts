@@ -1142,6 +1142,14 @@ steget</translation>
         <source>The part of their variance that both have in common, -1 to 1; negative where they err the opposite way</source>
         <translation>Den del av variansen som båda har gemensam, -1 till 1; negativ där felen går åt motsatt håll</translation>
     </message>
+    <message>
+        <source>Which sections, figures and key results the certificate has, in which order</source>
+        <translation>Vilka avsnitt, figurer och huvudresultat beviset har, och i vilken ordning</translation>
+    </message>
+    <message>
+        <source>A template of your own (.json), with the logo beside it</source>
+        <translation>En egen mall (.json), med logotypen bredvid</translation>
+    </message>
 </context>
 <context>
     <name>Corrections</name>
@@ -4767,38 +4775,6 @@ steget</translation>
         <translation>Modell, fas</translation>
     </message>
     <message>
-        <source>Figures</source>
-        <translation>Figurer</translation>
-    </message>
-    <message>
-        <source>Singular values of the Hankel matrix</source>
-        <translation>Hankelmatrisens singulärvärden</translation>
-    </message>
-    <message>
-        <source>Responses and model</source>
-        <translation>Svar och modell</translation>
-    </message>
-    <message>
-        <source>Responses minus model</source>
-        <translation>Svar minus modell</translation>
-    </message>
-    <message>
-        <source>Frequency response, magnitude</source>
-        <translation>Frekvenssvar, belopp</translation>
-    </message>
-    <message>
-        <source>Frequency response, phase</source>
-        <translation>Frekvenssvar, fas</translation>
-    </message>
-    <message>
-        <source>Power spectra of the responses</source>
-        <translation>Svarens effektspektra</translation>
-    </message>
-    <message>
-        <source>Poles and zeros of the model in the z-plane</source>
-        <translation>Modellens poler och nollställen i z-planet</translation>
-    </message>
-    <message>
         <source>The first principal component explains %1 % (limit %2 %). Shot %3 carries %4 % of the remainder.</source>
         <translation>Den första principalkomponenten förklarar %1 % (gräns %2 %). Skott %3 står för %4 % av återstoden.</translation>
     </message>
@@ -7651,10 +7627,6 @@ steget</translation>
         <translation>Resultaten har ingen frekvens med belopp, fas och deras fullständiga osäkerheter, så ingen korrektion följer av dem; kalibreringens anmärkningar säger vad som saknas (ett känt trycksteg, en förfinad modell).</translation>
     </message>
     <message>
-        <source>Magnitude against the reference transducer and against the pressure step, less the mean of both</source>
-        <translation>Belopp mot referensgivaren och mot trycksteget, minus medelvärdet av båda</translation>
-    </message>
-    <message>
         <source>The file of %1 states a response from %2 to %3, the records have one from %4 to %5: nothing in common, so no S(f) can be stated. Give a file that covers the band.</source>
         <translation>Filen för %1 anger ett svar från %2 till %3, registreringarna har ett från %4 till %5: inget gemensamt, så inget S(f) kan anges. Ange en fil som täcker bandet.</translation>
     </message>
@@ -9947,14 +9919,6 @@ steget</translation>
         <translation>Dokument</translation>
     </message>
     <message>
-        <source>Language</source>
-        <translation>Språk</translation>
-    </message>
-    <message>
-        <source>Change the certificate&apos;s language</source>
-        <translation>Ändra kalibreringsbevisets språk</translation>
-    </message>
-    <message>
         <source>Export certificate PDF...</source>
         <translation>Exportera kalibreringsbevis som PDF...</translation>
     </message>
@@ -9998,6 +9962,14 @@ steget</translation>
     <message>
         <source>YYYY-MM-DD</source>
         <translation>ÅÅÅÅ-MM-DD</translation>
+    </message>
+    <message>
+        <source>Template of the certificate</source>
+        <translation>Bevisets mall</translation>
+    </message>
+    <message>
+        <source>Templates (*.json);;All files (*)</source>
+        <translation>Mallar (*.json);;Alla filer (*)</translation>
     </message>
 </context>
 <context>

@@ -6,6 +6,8 @@
 #include "app/cli/calibration.h"
 #include "app/cli/run_output.h"
 
+#include "ui/report/report_logo.h"
+
 namespace dyncal {
 namespace {
 
@@ -29,6 +31,9 @@ Result<CaptureSet> acceptedCaptures(const CalibrationRun &run)
 
 Result<FinishedRun> calibrateInto(const CalibrationRun &run)
 {
+    const Result<ChosenTemplate> chosen = drawableTemplate(run.recipe.certificate.templateName);
+    if (!chosen)
+        return tl::unexpected<Error>(chosen.error());
     const Result<CaptureSet> set = acceptedCaptures(run);
     if (!set)
         return tl::unexpected<Error>(set.error());
@@ -40,7 +45,7 @@ Result<FinishedRun> calibrateInto(const CalibrationRun &run)
         return tl::unexpected<Error>(*outcome.error);
     const std::string record = run.record ? run.record(outcome) : std::string();
     Result<std::vector<std::string>> paths
-        = writeRun(outcome, run.recipe, run.createdUtc, *folder, record);
+        = writeRun(outcome, run.recipe, run.createdUtc, *chosen, *folder, record);
     if (!paths)
         return tl::unexpected<Error>(paths.error());
     return FinishedRun{std::move(outcome), std::move(*paths)};

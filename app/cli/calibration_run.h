@@ -17,7 +17,7 @@ namespace dyncal {
 struct CalibrationRun
 {
     std::vector<std::string> files;
-    Recipe recipe;
+    Recipe recipe; ///< that names its template's file by where it is (locateTemplate)
     std::vector<std::string> settings; ///< paths of the recipe and profile that were given
     std::string output;
     std::string createdUtc;
@@ -34,8 +34,9 @@ struct FinishedRun
 };
 
 /// Reads, computes and writes as one transaction: what `dyncal run` and every sensor of a batch do.
-/// Fails as readForCalibration, `accept`, FolderWrite and the stages do, unless the data are at
-/// fault: that is written down as a result. After a failure the folder is as it was.
+/// Fails as drawableTemplate, readForCalibration, `accept`, FolderWrite and the stages do, unless
+/// the data are at fault: that is written down as a result. After a failure the folder is as it
+/// was.
 Result<FinishedRun> calibrateInto(const CalibrationRun &run);
 
 } // namespace dyncal

@@ -145,20 +145,22 @@ Result<std::vector<DrawnFile>> drawnInSteps(
 
 } // namespace
 
-Result<std::vector<DrawnFile>> drawWithoutWindow(
-    const CalibrationResults &results, const Recipe &recipe, const std::string &createdUtc)
+Result<std::vector<DrawnFile>> drawWithoutWindow(const CalibrationResults &results,
+    const Recipe &recipe, const std::string &createdUtc, const ChosenTemplate &chosen)
 {
     return drawnElsewhere([&](const std::function<void()> &beat) {
-        ReportDrawing drawing(results, recipe, createdUtc, ReportParts::CertificateAndPlots);
+        ReportDrawing drawing(
+            results, recipe, createdUtc, ReportParts::CertificateAndPlots, chosen);
         return drawnInSteps(drawing, beat);
     });
 }
 
 Result<std::vector<DrawnFile>> drawWithoutWindow(const CalibrationResults &results,
-    const Recipe &recipe, const std::string &createdUtc, const CertificateIssue &issue)
+    const Recipe &recipe, const std::string &createdUtc, const ChosenTemplate &chosen,
+    const CertificateIssue &issue)
 {
     return drawnElsewhere([&](const std::function<void()> &beat) {
-        ReportDrawing drawing(results, recipe, createdUtc, ReportParts::Certificate, issue);
+        ReportDrawing drawing(results, recipe, createdUtc, ReportParts::Certificate, chosen, issue);
         return drawnInSteps(drawing, beat);
     });
 }

@@ -5,6 +5,7 @@
 
 #include "core/certificate/certificate_data.h"
 #include "core/certificate/certificate_issue.h"
+#include "core/project/template_choice.h"
 #include "core/results/run_files.h"
 
 #include <string>
@@ -16,12 +17,13 @@ namespace dyncal {
 /// it gets no memory, so it draws in a copy of this one, which holds all that is to be drawn and
 /// hands the bytes back (docs/adr/0017-drawing-process.md). Fails (Internal) if that process dies.
 /// Only for a program without a QApplication.
-Result<std::vector<DrawnFile>> drawWithoutWindow(
-    const CalibrationResults &results, const Recipe &recipe, const std::string &createdUtc);
+Result<std::vector<DrawnFile>> drawWithoutWindow(const CalibrationResults &results,
+    const Recipe &recipe, const std::string &createdUtc, const ChosenTemplate &chosen);
 
 /// certificate.pdf alone, issued.
 Result<std::vector<DrawnFile>> drawWithoutWindow(const CalibrationResults &results,
-    const Recipe &recipe, const std::string &createdUtc, const CertificateIssue &issue);
+    const Recipe &recipe, const std::string &createdUtc, const ChosenTemplate &chosen,
+    const CertificateIssue &issue);
 
 /// The same of a document of words and tables, as one file of that name.
 Result<std::vector<DrawnFile>> drawWithoutWindow(

@@ -8,14 +8,17 @@
 #include "app/cli/issue_plan.h"
 #include "app/cli/issuing.h"
 #include "app/cli/project_job.h"
+#include "app/cli/recipe_options.h"
 #include "app/cli/registry_options.h"
 #include "app/cli/verbs.h"
 
 #include "core/base/foreign_text.h"
 #include "core/base/json_text.h"
 #include "core/issue/issue_obstacles.h"
+#include "core/project/template_choice.h"
 #include "registry/cards/card_filling.h"
 #include "registry/cards/card_register.h"
+#include "ui/report/report_logo.h"
 
 #include <filesystem>
 #include <iostream>
@@ -48,8 +51,7 @@ Result<void> checkAmendment(const IssueOrder &order)
 /// and nobody has typed is filled in.
 Result<Recipe> chosen(Recipe recipe, const IssueOptions &options)
 {
-    if (!options.templateName.empty())
-        recipe.certificate.templateName = options.templateName;
+    takeTemplate(options.templateName, recipe);
     if (!options.languages.empty())
         recipe.certificate.languages = options.languages;
     if (const Result<Recipe> valid = parseRecipe(recipeJson(recipe)); !valid)
@@ -81,12 +83,24 @@ int conclude(const IssuedCertificate &issued, bool json)
     return static_cast<int>(ExitCode::Done);
 }
 
+/// Languages that were asked for come before those of the template.
+Result<ChosenTemplate> templateOf(const Recipe &recipe, const IssueOptions &options)
+{
+    Result<ChosenTemplate> chosen = drawableTemplate(recipe.certificate.templateName);
+    if (chosen && !options.languages.empty())
+        chosen->layout.languages = options.languages;
+    return chosen;
+}
+
 Result<IssueAnswer> issueJob(ProjectState job, const IssueOptions &options)
 {
     const Result<Recipe> recipe = chosen(job.recipe, options);
     if (!recipe)
         return tl::unexpected<Error>(recipe.error());
-    job.recipe = *recipe;
+    const Result<ChosenTemplate> layout = templateOf(*recipe, options);
+    if (!layout)
+        return tl::unexpected<Error>(layout.error());
+    job.recipe = withKeptTemplate(*recipe, *layout);
     const PipelineOutcome outcome = calibrate(*job.captures, job.recipe);
     if (outcome.error && outcome.error->kind != ErrorKind::DataBlocked)
         return tl::unexpected<Error>(*outcome.error);
@@ -94,7 +108,7 @@ Result<IssueAnswer> issueJob(ProjectState job, const IssueOptions &options)
         outcome, issuedRecipe(job.recipe, "1", options.order.names), options.order.names);
     if (!obstacles.empty())
         return IssueAnswer{{}, std::move(obstacles)};
-    return issueCertificate(job, outcome, options.order).map([](IssuedCertificate issued) {
+    return issueCertificate(job, outcome, *layout, options.order).map([](IssuedCertificate issued) {
         return IssueAnswer{std::move(issued), {}};
     });
 }
@@ -114,6 +128,8 @@ IssueOptions inPlansFolder(IssueOptions options)
 {
     const auto isAddress = options.order.registry.find("://") != std::string::npos;
     options.order.output = std::filesystem::absolute(options.order.output).string();
+    if (isTemplateFile(options.templateName))
+        options.templateName = std::filesystem::absolute(options.templateName).string();
     if (!options.order.registry.empty() && !isAddress)
         options.order.registry = std::filesystem::absolute(options.order.registry).string();
     return options;
@@ -181,8 +197,7 @@ void addIssue(CLI::App &program, VerbAction &action)
     verb->add_option("--number", options->order.number, "Go on with this reserved number")
         ->check(CLI::PositiveNumber)
         ->type_name("NUMBER");
-    verb->add_option("--template", options->templateName, "Else that of the recipe")
-        ->type_name("TEMPLATE");
+    declareTemplate(*verb, options->templateName);
     verb->add_option("--languages", options->languages, "Else those of the recipe")
         ->delimiter(',')
         ->type_name("en,sv");

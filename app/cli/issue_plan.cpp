@@ -11,6 +11,7 @@
 #include "core/base/json_text.h"
 #include "core/batch/batch_plan.h"
 #include "core/batch/planned_inputs.h"
+#include "core/project/template_choice.h"
 
 #include <filesystem>
 #include <iostream>
@@ -28,9 +29,10 @@ Result<ProjectState> plannedJob(const PlannedSensor &sensor)
     const Result<std::vector<std::string>> paths = plannedPaths(".", sensor);
     if (!paths)
         return tl::unexpected<Error>(paths.error());
-    const Result<Recipe> recipe = plannedRecipe(sensor);
+    Result<Recipe> recipe = plannedRecipe(sensor);
     if (!recipe)
         return tl::unexpected<Error>(recipe.error());
+    locateTemplate(sensor.recipe, *recipe);
     Result<CaptureSet> set = readForCalibration({sensor.source}, *recipe);
     if (!set)
         return tl::unexpected<Error>(set.error());

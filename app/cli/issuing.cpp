@@ -63,8 +63,8 @@ void keepSource(const Settings &settings, Files &files)
         files[keptSourceName(settings.source, settings.loaded->sha256)] = settings.loaded->content;
 }
 
-Result<Files> filesOf(
-    const ProjectState &job, const PipelineOutcome &outcome, const CertificateRecord &record)
+Result<Files> filesOf(const ProjectState &job, const PipelineOutcome &outcome,
+    const ChosenTemplate &chosen, const CertificateRecord &record)
 {
     // The names that were given when the number was reserved, and its time: a restart later makes
     // the same files.
@@ -77,10 +77,11 @@ Result<Files> filesOf(
     keepSource(recipe.chain, files);
     if (recipe.comparison.enabled)
         keepSource(recipe.comparison, files);
+    files.merge(keptTemplateFiles(chosen));
     const CertificateIssue issue{number, certificateNumber(record.amends), record.reason,
         record.head, sha256Hex(std::string_view(files["results.json"]))};
     Result<std::vector<DrawnFile>> drawn
-        = drawWithoutWindow(outcome.results, recipe, record.reservedUtc, issue);
+        = drawWithoutWindow(outcome.results, recipe, record.reservedUtc, chosen, issue);
     if (!drawn)
         return tl::unexpected<Error>(drawn.error());
     for (DrawnFile &file : *drawn)
@@ -121,8 +122,8 @@ Result<IssuedCertificate> issuedBefore(const IssueOrder &order, const Certificat
 
 } // namespace
 
-Result<IssuedCertificate> issueCertificate(
-    const ProjectState &job, const PipelineOutcome &outcome, const IssueOrder &order)
+Result<IssuedCertificate> issueCertificate(const ProjectState &job, const PipelineOutcome &outcome,
+    const ChosenTemplate &chosen, const IssueOrder &order)
 {
     const Result<ReservedNumber> reserved
         = reserveNumber(order.registry, requestOf(job, outcome, order));
@@ -131,7 +132,7 @@ Result<IssuedCertificate> issueCertificate(
     const CertificateRecord &record = reserved->record;
     if (record.state != CertificateState::Reserved)
         return issuedBefore(order, record);
-    const Result<Files> files = filesOf(job, outcome, record);
+    const Result<Files> files = filesOf(job, outcome, chosen, record);
     if (!files)
         return tl::unexpected<Error>(files.error());
     const auto hashes

@@ -6,6 +6,7 @@
 #include "core/base/finding.h"
 #include "core/issue/issued_recipe.h"
 #include "core/pipeline/pipeline.h"
+#include "core/project/template_choice.h"
 #include "registry/certificates/certificate_register.h"
 #include "ui/session/project_state.h"
 
@@ -31,11 +32,12 @@ struct IssuedCertificate
     std::string folder;
 };
 
-/// Numbers, writes and registers the certificate of a job that has no obstacles (issueObstacles):
-/// reserves the number, writes OUTPUT/NUMBER/, marks it issued, each as a whole. After a failure
-/// the same call goes on with the same number; a job that is issued already is answered without
-/// writing anything. Fails as CertificateRegister, writeIssuedFolder and the drawing do.
-Result<IssuedCertificate> issueCertificate(
-    const ProjectState &job, const PipelineOutcome &outcome, const IssueOrder &order);
+/// Numbers, writes and registers the certificate of a job that has no obstacles (issueObstacles),
+/// whose recipe names the kept copy of its template (withKeptTemplate): reserves the number, writes
+/// OUTPUT/NUMBER/, marks it issued, each as a whole. After a failure the same call goes on with the
+/// same number; a job that is issued already is answered without writing anything. Fails as
+/// CertificateRegister, writeIssuedFolder and the drawing do.
+Result<IssuedCertificate> issueCertificate(const ProjectState &job, const PipelineOutcome &outcome,
+    const ChosenTemplate &chosen, const IssueOrder &order);
 
 } // namespace dyncal

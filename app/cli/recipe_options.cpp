@@ -3,6 +3,10 @@
 
 #include "app/cli/recipe_options.h"
 
+#include "core/project/template_choice.h"
+
+#include <filesystem>
+
 namespace dyncal {
 
 namespace {
@@ -31,6 +35,21 @@ void declareOrder(CLI::App &verb, std::string &order)
     verb.add_option("--order", order, "Model order: auto or a number")
         ->type_name("auto|N")
         ->check(isSomething);
+}
+
+void declareTemplate(CLI::App &verb, std::string &name)
+{
+    verb.add_option("--template", name,
+            "What the certificate shows: accredited, full, short, research, or a file (.json); else that of the recipe")
+        ->type_name("NAME|FILE")
+        ->check(isSomething);
+}
+
+void takeTemplate(const std::string &name, Recipe &recipe)
+{
+    if (!name.empty())
+        recipe.certificate.templateName
+            = isTemplateFile(name) ? std::filesystem::absolute(name).string() : name;
 }
 
 std::vector<std::string> RecipeOptions::files() const

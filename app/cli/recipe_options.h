@@ -28,4 +28,9 @@ struct RecipeOptions
 /// Option --order.
 void declareOrder(CLI::App &verb, std::string &order);
 
+/// Option --template.
+void declareTemplate(CLI::App &verb, std::string &name);
+/// What it says in place of the recipe's; "" = nothing. A file stays the same in every folder.
+void takeTemplate(const std::string &name, Recipe &recipe);
+
 } // namespace dyncal

@@ -10,6 +10,7 @@
 #include "app/cli/verbs.h"
 
 #include "core/base/foreign_text.h"
+#include "core/project/template_choice.h"
 
 #include <iostream>
 #include <memory>
@@ -22,13 +23,18 @@ struct RunOptions
     std::vector<std::string> files;
     RecipeOptions recipe;
     std::string order;
+    std::string templateName;
     std::string output;
 };
 
 Result<Recipe> recipeOf(const RunOptions &options)
 {
-    const Result<Recipe> recipe = options.recipe.read();
-    return recipe ? withOrder(*recipe, options.order) : recipe;
+    Result<Recipe> recipe = options.recipe.read();
+    if (!recipe)
+        return recipe;
+    locateTemplate(options.recipe.recipe, *recipe);
+    takeTemplate(options.templateName, *recipe);
+    return withOrder(*recipe, options.order);
 }
 
 /// Prints the summary and the files written; the exit code.
@@ -66,6 +72,7 @@ void addRun(CLI::App &program, VerbAction &action)
         ->type_name("FILE");
     options->recipe.declare(*verb);
     declareOrder(*verb, options->order);
+    declareTemplate(*verb, options->templateName);
     verb->add_option("-o,--output", options->output, "Folder to write to")
         ->required()
         ->type_name("DIR");

@@ -10,12 +10,13 @@
 namespace dyncal {
 
 Result<std::vector<std::string>> writeRun(const PipelineOutcome &outcome, const Recipe &recipe,
-    const std::string &createdUtc, FolderWrite &folder, const std::string &record)
+    const std::string &createdUtc, const ChosenTemplate &chosen, FolderWrite &folder,
+    const std::string &record)
 {
-    RunFiles run{outcome, recipe, createdUtc, {}, record};
+    RunFiles run{outcome, recipe, createdUtc, {}, record, chosen};
     if (mayPublish(outcome)) {
         Result<std::vector<DrawnFile>> drawn
-            = drawWithoutWindow(outcome.results, recipe, createdUtc);
+            = drawWithoutWindow(outcome.results, recipe, createdUtc, chosen);
         if (!drawn)
             return tl::unexpected<Error>(drawn.error());
         run.drawn = std::move(*drawn);

@@ -52,10 +52,18 @@ struct CertificateSection
     std::vector<CertificateFigure> figures;
 };
 
+/// The picture of the laboratory beside the title (checkLogo()).
+struct CertificateLogo
+{
+    std::string bytes; ///< of its file; "" = none
+    bool isSvg = false; ///< else PNG
+};
+
 /// A certificate as words and rounded numbers, ready for typesetting: no layout, no floating point.
 struct CertificateData
 {
     std::string language;
+    std::string secondLanguage = {}; ///< of labels beside those of the first; "" = none
     std::string createdUtc;
     std::string number; ///< empty = none yet
     Message title;
@@ -64,6 +72,7 @@ struct CertificateData
     std::vector<CertificateSection> sections;
     /// By which an issued one is held against its files: name and value, in the file's metadata.
     std::vector<std::pair<std::string, std::string>> marks = {};
+    CertificateLogo logo = {};
 
     /// Labels of all fields that are missing, in order.
     std::vector<Message> missingFields() const;

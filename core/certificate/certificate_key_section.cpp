@@ -30,9 +30,9 @@ ResultQuantity quantityOf(const CalibrationResults &results, const char *of, Mes
 {
     const ReportedValue *reported = reportedOf(results, of);
     if (!reported || !reported->u)
-        return {std::move(label), kUnknown, kUnknown, kUnknown, {}, whyNoResult(reported)};
+        return {std::move(label), kUnknown, kUnknown, kUnknown, {}, whyNoResult(reported), 0.0, of};
     return {std::move(label), reported->value, *reported->u, reported->k, reported->unit,
-        whyNoResult(nullptr), reported->leastExpanded};
+        whyNoResult(nullptr), reported->leastExpanded, of};
 }
 
 Message noModel()
@@ -95,7 +95,8 @@ void addMeasuredPeak(const CalibrationResults &results, Quantities &quantities)
     quantities.push_back({{DYNCAL_TEXT("core", "Magnitude at the resonance, from the records"), {}},
         marked->magnitude[row], valueAt(rows.u_magnitude, row), valueAt(rows.k_magnitude, row),
         unitOf(*marked), whyNotMeasured(marked->magnitude[row]),
-        marked->magnitude[row] * valueAt(rows.leastExpanded_relative, row)});
+        marked->magnitude[row] * valueAt(rows.leastExpanded_relative, row),
+        "magnitude_at_resonance"});
 }
 
 /// The model's characteristics as far as the records reach; beyond, the bound or the reason.
@@ -124,7 +125,8 @@ void addCharacteristics(const CalibrationResults &results, Quantities &quantitie
 
 } // namespace
 
-CertificateSection keyResultsSection(const CalibrationResults &results, const Recipe &recipe)
+CertificateSection keyResultsSection(
+    const CalibrationResults &results, const Recipe &recipe, const CertificateTemplate &layout)
 {
     const bool isStep = calibrationKind(results, recipe) != CalibrationKind::FreeDecay;
     CertificateSection section;
@@ -138,6 +140,7 @@ CertificateSection keyResultsSection(const CalibrationResults &results, const Re
     addMeasuredPeak(results, quantities);
     if (isStep)
         addCharacteristics(results, quantities);
+    std::erase_if(quantities, [&](const ResultQuantity &q) { return !layout.states(q.of); });
     addQuantityTables(quantities, section);
     section.notes.push_back(
         {DYNCAL_TEXT("core",

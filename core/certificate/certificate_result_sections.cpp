@@ -228,37 +228,4 @@ CertificateSection modelSection(const CalibrationResults &results, const Recipe 
     return section;
 }
 
-CertificateSection figuresSection(const CalibrationResults &results, const Recipe &recipe)
-{
-    CertificateSection section;
-    section.id = "figures";
-    section.title = {DYNCAL_TEXT("core", "Figures"), {}};
-    if (results.decomposition)
-        section.figures.push_back(
-            {"singular-values", {DYNCAL_TEXT("core", "Singular values of the Hankel matrix"), {}}});
-    if (results.model) {
-        section.figures.push_back({"model-data", {DYNCAL_TEXT("core", "Responses and model"), {}}});
-        section.figures.push_back(
-            {"model-error", {DYNCAL_TEXT("core", "Responses minus model"), {}}});
-    }
-    if (results.response && calibrationKind(results, recipe) != CalibrationKind::FreeDecay) {
-        section.figures.push_back(
-            {"magnitude", {DYNCAL_TEXT("core", "Frequency response, magnitude"), {}}});
-        section.figures.push_back(
-            {"phase", {DYNCAL_TEXT("core", "Frequency response, phase"), {}}});
-    }
-    if (results.comparison && results.comparison->againstStep)
-        section.figures.push_back({"comparison",
-            {DYNCAL_TEXT("core",
-                 "Magnitude against the reference transducer and against the pressure step, less the mean of both"),
-                {}}});
-    if (results.window)
-        section.figures.push_back(
-            {"spectrum", {DYNCAL_TEXT("core", "Power spectra of the responses"), {}}});
-    if (results.model)
-        section.figures.push_back({"pole-zero",
-            {DYNCAL_TEXT("core", "Poles and zeros of the model in the z-plane"), {}}});
-    return section;
-}
-
 } // namespace dyncal

@@ -14,6 +14,5 @@ namespace dyncal {
 CertificateSection resultsSection(const CalibrationResults &results, const Recipe &recipe);
 CertificateSection shotsSection(const CalibrationResults &results, const Recipe &recipe);
 CertificateSection modelSection(const CalibrationResults &results, const Recipe &recipe);
-CertificateSection figuresSection(const CalibrationResults &results, const Recipe &recipe);
 
 } // namespace dyncal

@@ -108,8 +108,12 @@ void addDrift(const ResponseResult &response, CertificateSection &section)
 
 std::vector<ResultQuantity> sensitivityQuantities(const CalibrationResults &results)
 {
-    return isByLevel(results.response.get()) ? levelQuantities(results)
-                                             : std::vector{meanQuantity(results)};
+    std::vector<ResultQuantity> quantities = isByLevel(results.response.get())
+        ? levelQuantities(results)
+        : std::vector{meanQuantity(results)};
+    for (ResultQuantity &quantity : quantities)
+        quantity.of = "sensitivity";
+    return quantities;
 }
 
 void addSensitivityDetails(const CalibrationResults &results, CertificateSection &section)

@@ -23,6 +23,7 @@ struct ResultQuantity
     std::string unit = {}; ///< "" = a number
     Message otherwise = {}; ///< a bound, or why there is no result
     double leastExpanded = 0.0; ///< the CMC: no smaller U is printed, not by rounding either
+    std::string of = {}; ///< its name in a template (templateQuantities())
 
     /// Whether value and u can both be printed; a u below what rounding leaves is none.
     bool isResult() const;

@@ -139,17 +139,20 @@ Result<std::vector<std::string>> writeRunFiles(
 {
     if (!run.drawn.empty() && !mayPublish(run.outcome))
         return writeRunFiles(
-            {run.outcome, run.recipe, run.createdUtc, {}, run.record}, folder, control);
+            {run.outcome, run.recipe, run.createdUtc, {}, run.record, run.chosen}, folder, control);
     const CalibrationResults shown
         = mayPublish(run.outcome) ? run.outcome.results : CalibrationResults();
     const std::vector<CsvFile> tables = resultsCsv(shown);
     const std::vector<ModelFile> model = modelFiles(shown);
-    const std::string recipe = recipeJson(run.recipe);
-    const std::string json = resultsJson(run.outcome, run.recipe, run.createdUtc);
+    const Recipe kept = withKeptTemplate(run.recipe, run.chosen);
+    const std::string recipe = recipeJson(kept);
+    const std::string json = resultsJson(run.outcome, kept, run.createdUtc);
     std::vector<FolderFile> files{{"recipe.json", recipe}};
     keepSource(run.recipe.chain, files);
     if (run.recipe.comparison.enabled)
         keepSource(run.recipe.comparison, files);
+    for (const auto &[name, bytes] : keptTemplateFiles(run.chosen))
+        files.push_back({name, bytes});
     for (const CsvFile &table : tables)
         files.push_back({"csv/" + table.name, table.text});
     for (const ModelFile &file : model)

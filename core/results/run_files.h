@@ -5,6 +5,7 @@
 
 #include "core/base/writing/folder_write.h"
 #include "core/pipeline/pipeline.h"
+#include "core/project/template_choice.h"
 
 #include <string>
 #include <vector>
@@ -26,6 +27,7 @@ struct RunFiles
     std::string createdUtc; ///< ISO 8601 with Z
     std::vector<DrawnFile> drawn; ///< none of a run that may not be published
     std::string record = {}; ///< of a batch: what kBatchRecord is to hold; empty: none is written
+    ChosenTemplate chosen = {}; ///< of the certificate; its file is kept as the recipe's tables are
 };
 
 /// Name of the file by which a batch knows what it has computed.

@@ -4,7 +4,8 @@
 #include "ui/report/certificate_blocks.h"
 
 #include "ui/plot/widget/plot_widget.h"
-#include "ui/text/core_text.h"
+#include "ui/report/document_words.h"
+#include "ui/report/report_logo.h"
 
 #include <QCoreApplication>
 
@@ -35,17 +36,13 @@ QFont font(int pixels, bool bold = false)
     return made;
 }
 
-/// A certificate shortens nothing, and keeps the lines of what was typed.
-QString inFull(const Message &message)
-{
-    return printed(message);
-}
-
 class BlockMaker
 {
 public:
-    BlockMaker(const CertificateStyle &style, double width, QPaintDevice *device)
+    BlockMaker(const CertificateStyle &style, const DocumentWords &words, double width,
+        QPaintDevice *device)
         : m_style(style)
+        , m_words(words)
         , m_width(width)
         , m_device(device)
     {
@@ -60,6 +57,22 @@ public:
         block.spaceBefore = spaceBefore;
         block.paint = [set, color](QPainter &painter, const QRectF &area) {
             set.draw(painter, area.topLeft(), color);
+        };
+        return block;
+    }
+
+    /// The logo takes the right end of the first line.
+    FlowBlock titleWithLogo(const QString &words, const ReportLogo &logo) const
+    {
+        constexpr double kTitleShare = 0.68; // of the width; the rest is the logo's
+        constexpr double kLogoHeight = 54.0;
+        const FlowText title(words, m_style.title, kTitleShare * m_width, m_device);
+        FlowBlock block;
+        block.height = std::max(title.height(), kLogoHeight) + 2.0;
+        block.paint = [title, logo, color = m_style.text](QPainter &painter, const QRectF &area) {
+            title.draw(painter, area.topLeft(), color);
+            const double left = area.left() + (kTitleShare + 0.02) * area.width();
+            logo.draw(painter, QRectF(left, area.top(), area.right() - left, kLogoHeight));
         };
         return block;
     }
@@ -83,8 +96,8 @@ public:
     FlowBlock field(const CertificateField &field) const
     {
         const double labelWidth = kLabelShare * m_width;
-        const FlowText label(inFull(field.label), m_style.body, labelWidth - 8.0, m_device);
-        const FlowText value(inFull(field.value), field.missing ? m_style.body : m_style.bold,
+        const FlowText label(m_words(field.label), m_style.body, labelWidth - 8.0, m_device);
+        const FlowText value(m_words(field.value), field.missing ? m_style.body : m_style.bold,
             m_width - labelWidth, m_device);
         FlowBlock block;
         block.height = std::max(label.height(), value.height()) + kRowPadding;
@@ -101,7 +114,7 @@ public:
     {
         const std::vector<double> widths = tableWidths(table);
         if (!table.caption.arguments.empty() || *table.caption.text) {
-            blocks.push_back(text(inFull(table.caption), m_style.body, m_style.text, 8.0));
+            blocks.push_back(text(m_words(table.caption), m_style.body, m_style.text, 8.0));
             blocks.back().keepWithNext = true;
             blocks.back().height += 3.0;
         }
@@ -153,14 +166,14 @@ private:
                 = std::max(least[column], FlowText::longestWord(words, face, m_device) + padding);
         };
         for (std::size_t c = 0; c < table.columns.size(); ++c) {
-            const QString words = inFull(table.columns[c].heading);
+            const QString words = m_words.inTable(table.columns[c].heading);
             // Headings may wrap: only their longest word counts as natural.
             const double word
                 = FlowText::longestWord(words, m_style.tableBold, m_device) + 2.0 * kCellPadding;
             natural[c] = std::max(natural[c], word);
             least[c] = std::max(least[c], word);
             for (const std::vector<Message> &cells : table.rows)
-                include(c, inFull(cells[c]), m_style.table);
+                include(c, m_words.inTable(cells[c]), m_style.table);
         }
         return columnWidths(natural, least, m_width);
     }
@@ -172,8 +185,9 @@ private:
         double height = 0.0;
         for (std::size_t c = 0; c < cells.size(); ++c) {
             const Qt::Alignment side = table.columns[c].number ? Qt::AlignRight : Qt::AlignLeft;
-            texts.emplace_back(inFull(cells[c]), isHeader ? m_style.tableBold : m_style.table,
-                widths[c] - 2.0 * kCellPadding, m_device, side);
+            texts.emplace_back(m_words.inTable(cells[c]),
+                isHeader ? m_style.tableBold : m_style.table, widths[c] - 2.0 * kCellPadding,
+                m_device, side);
             height = std::max(height, texts.back().height());
         }
         FlowBlock block;
@@ -195,23 +209,25 @@ private:
     }
 
     const CertificateStyle &m_style;
+    const DocumentWords &m_words;
     double m_width;
     QPaintDevice *m_device;
 };
 
 /// What the map of poles cannot show is said in its caption.
-QString figureCaption(const CertificateFigure &figure, const PlotContent &content)
+QString figureCaption(
+    const CertificateFigure &figure, const PlotContent &content, const DocumentWords &words)
 {
-    const QString caption = inFull(figure.caption);
+    const QString caption = words(figure.caption);
     return content.equalAspect ? caption + QStringLiteral("; ") + content.summary : caption;
 }
 
-void addMissing(const CertificateData &data, const CertificateStyle &style, const BlockMaker &make,
-    std::vector<FlowBlock> &blocks)
+void addMissing(const CertificateData &data, const CertificateStyle &style,
+    const DocumentWords &words, const BlockMaker &make, std::vector<FlowBlock> &blocks)
 {
     QStringList labels;
     for (const Message &label : data.missingFields())
-        labels += inFull(label);
+        labels += words(label);
     if (labels.isEmpty())
         return;
     blocks.push_back(
@@ -256,15 +272,18 @@ std::vector<FlowBlock> certificateBlocks(const CertificateData &data,
     const std::vector<ReportFigure> &figures, const CertificateStyle &style, double width,
     QPaintDevice *device)
 {
-    const BlockMaker make(style, width, device);
+    const DocumentWords words(data.secondLanguage);
+    const BlockMaker make(style, words, width, device);
     std::vector<FlowBlock> blocks;
-    blocks.push_back(make.text(inFull(data.title), style.title, style.text, 0.0));
-    addMissing(data, style, make, blocks);
+    blocks.push_back(data.logo.bytes.empty()
+            ? make.text(words(data.title), style.title, style.text, 0.0)
+            : make.titleWithLogo(words(data.title), ReportLogo(data.logo)));
+    addMissing(data, style, words, make, blocks);
     int figureNumber = 0;
     for (const CertificateSection &section : data.sections) {
         std::vector<FlowBlock> body;
         for (const Message &paragraph : section.paragraphs)
-            body.push_back(make.text(inFull(paragraph), style.body, style.text, 4.0));
+            body.push_back(make.text(words(paragraph), style.body, style.text, 4.0));
         for (std::size_t i = 0; i < section.fields.size(); ++i) {
             body.push_back(make.field(section.fields[i]));
             body.back().spaceBefore = i == 0 ? 5.0 : 0.0;
@@ -275,16 +294,16 @@ std::vector<FlowBlock> certificateBlocks(const CertificateData &data,
         if (!section.notes.empty() && !body.empty())
             body.back().keepWithNext = true; // what a note explains is above it
         for (const Message &note : section.notes)
-            body.push_back(make.text(inFull(note), style.small, style.quiet, 5.0));
+            body.push_back(make.text(words(note), style.small, style.quiet, 5.0));
         for (const CertificateFigure &figure : section.figures)
             if (const PlotContent *content = findFigure(figures, figure.id))
                 body.push_back(make.figure(*content,
                     QCoreApplication::translate("Report", "Figure %1. %2.")
                         .arg(++figureNumber)
-                        .arg(figureCaption(figure, *content))));
+                        .arg(figureCaption(figure, *content, words))));
         if (body.empty())
             continue; // a section without content has no heading
-        blocks.push_back(make.heading(inFull(section.title)));
+        blocks.push_back(make.heading(words(section.title)));
         std::move(body.begin(), body.end(), std::back_inserter(blocks));
     }
     blocks.push_back(make.text(data.isCertificate

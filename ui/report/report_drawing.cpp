@@ -30,9 +30,10 @@ std::string plotName(std::size_t number, const std::string &id)
 }
 
 CertificateData certificateOf(const CalibrationResults &results, const Recipe &recipe,
-    const std::string &createdUtc, const std::optional<CertificateIssue> &issue)
+    const std::string &createdUtc, const ChosenTemplate &chosen,
+    const std::optional<CertificateIssue> &issue)
 {
-    CertificateData data = makeCertificate(results, recipe, createdUtc);
+    CertificateData data = makeCertificate(results, recipe, createdUtc, chosen);
     if (issue)
         markIssued(*issue, data);
     return data;
@@ -54,9 +55,9 @@ struct ReportDrawing::Private
     bool failed = false;
 
     Private(const CalibrationResults &shown, const Recipe &recipe, const std::string &createdUtc,
-        const std::optional<CertificateIssue> &issue)
+        const ChosenTemplate &chosen, const std::optional<CertificateIssue> &issue)
         : results(shown)
-        , data(certificateOf(results, recipe, createdUtc, issue))
+        , data(certificateOf(results, recipe, createdUtc, chosen, issue))
         , language(data.language)
         , makers(figureMakers(results))
     {
@@ -114,8 +115,9 @@ struct ReportDrawing::Private
 };
 
 ReportDrawing::ReportDrawing(const CalibrationResults &results, const Recipe &recipe,
-    const std::string &createdUtc, ReportParts parts, const std::optional<CertificateIssue> &issue)
-    : d(std::make_unique<Private>(results, recipe, createdUtc, issue))
+    const std::string &createdUtc, ReportParts parts, const ChosenTemplate &chosen,
+    const std::optional<CertificateIssue> &issue)
+    : d(std::make_unique<Private>(results, recipe, createdUtc, chosen, issue))
 {
     d->plots = parts == ReportParts::CertificateAndPlots;
     d->failed = !qobject_cast<QApplication *>(QCoreApplication::instance());

@@ -5,6 +5,7 @@
 
 #include "core/base/result.h"
 #include "core/certificate/certificate_issue.h"
+#include "core/project/template_choice.h"
 #include "core/results/run_files.h"
 
 #include <chrono>
@@ -19,13 +20,13 @@ enum class ReportParts { Certificate, CertificateAndPlots };
 /// Draws certificate.pdf and plots/NN-name.svg of one set of results in memory, in steps: drawing
 /// needs the thread of the window, which must stay free to answer. All texts are in the language of
 /// the recipe's certificate, whatever that of the window; `createdUtc` (ISO 8601 with Z) is printed
-/// and makes the bytes reproducible. A draft unless `issue` makes it a certificate. Needs a
-/// QApplication.
+/// and makes the bytes reproducible. A draft unless `issue` makes it a certificate; `chosen`
+/// says what it shows. Needs a QApplication.
 class ReportDrawing
 {
 public:
     ReportDrawing(const CalibrationResults &results, const Recipe &recipe,
-        const std::string &createdUtc, ReportParts parts,
+        const std::string &createdUtc, ReportParts parts, const ChosenTemplate &chosen = {},
         const std::optional<CertificateIssue> &issue = {});
     ~ReportDrawing();
     ReportDrawing(const ReportDrawing &) = delete;

@@ -8,6 +8,7 @@
 #include "core/base/writing/write_problem.h"
 #include "core/capture/capture_seal.h"
 #include "core/project/strict_json.h"
+#include "core/project/template_choice.h"
 #include "core/reference/reference_source.h"
 #include "ui/session/capture_edit.h"
 #include "ui/session/capture_reading.h"
@@ -258,6 +259,7 @@ Result<ProjectState> openProject(
     const QDir folder = QFileInfo(file.path).absoluteDir();
     loadSource(folder.path().toStdString(), recipe->comparison);
     loadSource(folder.path().toStdString(), recipe->chain);
+    locateTemplate(folder.filePath(QStringLiteral("project")).toStdString(), *recipe);
     std::vector<CaptureReference> references;
     QStringList missing;
     for (const auto &entry : file.content["captures"].toArray()) {

@@ -303,6 +303,12 @@ constexpr Tip kTips[]{
     {"decisionRisk",
         QT_TRANSLATE_NOOP(
             "ControlTips", "Largest probability of being outside the limit, at any frequency")},
+    {"certificateTemplate",
+        QT_TRANSLATE_NOOP("ControlTips",
+            "Which sections, figures and key results the certificate has, in which order")},
+    {"templateBrowse",
+        QT_TRANSLATE_NOOP(
+            "ControlTips", "A template of your own (.json), with the logo beside it")},
     {"certificateLanguage",
         QT_TRANSLATE_NOOP("ControlTips", "Language of the document, not of the window")},
     {"exportCertificate",

@@ -7,11 +7,11 @@
 #include "core/certificate/certificate_data.h"
 #include "ui/stages/decision_panel.h"
 #include "ui/stages/frame/status_text.h"
+#include "ui/stages/template_panel.h"
 #include "ui/text/core_text.h"
 #include "ui/text/finding_text.h"
 #include "ui/text/shown_text.h"
 
-#include <QComboBox>
 #include <QFormLayout>
 #include <QGroupBox>
 #include <QLineEdit>
@@ -156,12 +156,9 @@ void CertificatePage::buildInspector()
 {
     InspectorForm *form = inspector();
     form->addSection(tr("Document"));
-    m_language = form->addChoice(tr("Language"), "certificateLanguage",
-        {QStringLiteral("English"), QStringLiteral("Svenska")});
-    connect(m_language, &QComboBox::activated, this, [this](int choice) {
-        change(tr("Change the certificate's language"),
-            [&](Recipe &r) { r.certificate.languages = {choice == 1 ? "sv" : "en"}; });
-    });
+    m_template = new TemplatePanel(session(), *form, this);
+    connect(
+        m_template, &TemplatePanel::browseRequested, this, &CertificatePage::templateFileRequested);
     auto *button = new WrappedButton(tr("Export certificate PDF..."));
     button->setObjectName("exportCertificate");
     form->addWide(button);
@@ -170,6 +167,11 @@ void CertificatePage::buildInspector()
     form->addSection(tr("Checklist"));
     m_missing = form->addNote("missingFields");
     m_cautions = form->addNote("cautionCount");
+}
+
+void CertificatePage::takeTemplate(const QString &path)
+{
+    m_template->take(path);
 }
 
 QString CertificatePage::field(const std::string &key) const
@@ -202,8 +204,6 @@ void CertificatePage::showRecipe()
     const QSignalBlocker quiet(m_remarks);
     if (m_remarks->toPlainText() != field(kRemarks))
         m_remarks->setPlainText(field(kRemarks));
-    const auto &languages = recipe().certificate.languages;
-    m_language->setCurrentIndex(!languages.empty() && languages.front() == "sv" ? 1 : 0);
     showMissing();
 }
 

@@ -5,13 +5,13 @@
 
 #include "ui/stages/frame/stage_page.h"
 
-class QComboBox;
 class QLineEdit;
 class QPlainTextEdit;
 
 namespace dyncal {
 
 class DecisionPanel;
+class TemplatePanel;
 
 /// Stage 12: what the certificate says beside the results, and its export.
 class CertificatePage : public StagePage
@@ -21,8 +21,12 @@ class CertificatePage : public StagePage
 public:
     explicit CertificatePage(Session &session);
 
+    /// The file of a template that the operator chose.
+    void takeTemplate(const QString &path);
+
 signals:
     void exportRequested();
+    void templateFileRequested(); ///< which takeTemplate() is to be given
 
 protected:
     void showRecipe() override;
@@ -41,7 +45,7 @@ private:
     std::vector<std::pair<std::string, QLabel *>>
         m_notes; ///< beside dates: what is wrong with them
     QPlainTextEdit *m_remarks;
-    QComboBox *m_language;
+    TemplatePanel *m_template;
     DecisionPanel *m_decision;
     QLabel *m_missing;
     QLabel *m_cautions;

@@ -3,6 +3,7 @@
 
 #include "ui/text/core_text.h"
 
+#include "ui/text/filled_words.h"
 #include "ui/text/quantity_format.h"
 #include "ui/text/recipe_labels.h"
 
@@ -42,12 +43,8 @@ QString translated(const Message &message)
 
 QString printed(const Message &message)
 {
-    const QString text = QCoreApplication::translate("core", message.text);
-    QString sentences = QString::fromStdString(
-        fillPlaces(text.toStdString(), message.arguments, ArgumentText::Full));
-    for (const Message &sentence : message.below)
-        sentences += QLatin1Char('\n') + printed(sentence);
-    return sentences;
+    return filledWords(
+        message, [](const char *text) { return QCoreApplication::translate("core", text); });
 }
 
 } // namespace dyncal

@@ -57,6 +57,7 @@ private slots:
     void write_runWithoutResults_givesRecipeAndResultsOnly();
     void write_blockedRun_givesRecipeAndResultsOnly();
     void write_ofABatch_hasItsRecord();
+    void write_templateOfAFile_isKeptAndNamed();
     void write_overAnEarlierRun_removesItsFilesOnly();
     void write_resultsJson_isTheLast();
     void write_stoppedAtAnyFile_changesNothing();
@@ -95,6 +96,27 @@ void TestRunFiles::write_completeRun_givesEveryFile()
     for (const ModelFile &file : modelFiles(run.outcome.results))
         QCOMPARE(bytesOf(folder.filePath("model/" + QString::fromStdString(file.name))),
             QByteArray::fromStdString(file.bytes));
+}
+
+/// What the certificate was drawn by lies beside it; results.json and recipe.json name it there.
+void TestRunFiles::write_templateOfAFile_isKeptAndNamed()
+{
+    const QTemporaryDir folder;
+    RunFiles run = exampleRun();
+    run.recipe.certificate.templateName = "/lab/ours.json";
+    run.chosen.file = "/lab/ours.json";
+    run.chosen.layout.figures = {"phase"};
+    QVERIFY(writeInto(folder.path(), run).has_value());
+    const Result<Recipe> recipe = readRecipeFile(folder.filePath("recipe.json").toStdString());
+    QVERIFY(recipe);
+    const std::string name = recipe->certificate.templateName;
+    QVERIFY2(name.starts_with("sources/") && name.ends_with("-ours.json"), name.c_str());
+    QCOMPARE(bytesOf(folder.filePath(QString::fromStdString(name))).toStdString(),
+        templateJson(run.chosen.layout));
+    QVERIFY(!bytesOf(folder.filePath("results.json")).contains("/lab/"));
+    QVERIFY(bytesOf(folder.filePath("results.json")).contains(name.c_str()));
+    QVERIFY(writeInto(folder.path(), exampleRun()).has_value());
+    QVERIFY(!QFile::exists(folder.filePath(QString::fromStdString(name))));
 }
 
 /// A plain run into the same folder takes the record away: it is of other results then.

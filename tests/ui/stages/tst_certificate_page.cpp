@@ -1,6 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The Dyncal authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+#include "core/project/built_in_templates.h"
+#include "core/project/certificate_template.h"
 #include "core/project/recipe.h"
 #include "tests/support/test_program.h"
 #include "tests/ui/support/in_swedish.h"
@@ -9,6 +11,7 @@
 
 #include <QPlainTextEdit>
 #include <QSignalSpy>
+#include <QTemporaryDir>
 #include <QtTest>
 
 using namespace dyncal;
@@ -51,6 +54,10 @@ private slots:
     void status_isNotDone_whileAFieldIsEmpty();
     void dateThatIsNone_isSaidBesideItsField();
     void language_isOfTheDocument_notOfTheWindow();
+    void languages_twoSideBySide();
+    void template_builtIn_isChosenAndUndone();
+    void template_file_isTakenOrRefused();
+    void template_unknown_isShownAndSaid();
     void swedish_labelsAndCounts();
     void findings_areCounted();
 };
@@ -187,6 +194,79 @@ void TestCertificatePage::language_isOfTheDocument_notOfTheWindow()
     QVERIFY(bench.control<QLabel>("missingFields")->text().contains("Place of calibration"));
     bench.session.undoStack().undo();
     QCOMPARE(bench.control<QComboBox>("certificateLanguage")->currentIndex(), 0);
+}
+
+void TestCertificatePage::languages_twoSideBySide()
+{
+    Bench bench;
+    bench.choose("certificateLanguage", 3);
+    QCOMPARE(bench.recipe().certificate.languages, (std::vector<std::string>{"sv", "en"}));
+    bench.choose("certificateLanguage", 2);
+    QCOMPARE(bench.recipe().certificate.languages, (std::vector<std::string>{"en", "sv"}));
+    QCOMPARE(bench.control<QComboBox>("certificateLanguage")->currentIndex(), 2);
+}
+
+void TestCertificatePage::template_builtIn_isChosenAndUndone()
+{
+    Bench bench;
+    const auto *choice = bench.control<QComboBox>("certificateTemplate");
+    std::vector<std::string> names; // every one that there is, in its order
+    for (int i = 0; i < choice->count(); ++i)
+        names.push_back(choice->itemData(i).toString().toStdString());
+    std::vector<std::string> known;
+    for (const BuiltInTemplate &one : builtInTemplates())
+        known.push_back(one.name);
+    QCOMPARE(names, known);
+    QCOMPARE(choice->currentData().toString(), QString("accredited"));
+    bench.choose("certificateTemplate", 2);
+    QCOMPARE(bench.recipe().certificate.templateName, std::string("short"));
+    const auto *note = bench.control<QLabel>("templateNote");
+    QCOMPARE(note->text(), QString("Without shots, model and figures."));
+    QVERIFY(!bench.session.isComputing()); // no number depends on it
+    bench.session.undoStack().undo();
+    QCOMPARE(choice->currentData().toString(), QString("accredited"));
+}
+
+void TestCertificatePage::template_file_isTakenOrRefused()
+{
+    Bench bench;
+    const QTemporaryDir folder;
+    const QString path = folder.filePath("lab & co.json");
+    const auto put = [&](const std::string &json) {
+        QFile file(path);
+        QVERIFY(file.open(QIODevice::WriteOnly));
+        file.write(json.data(), static_cast<qint64>(json.size()));
+    };
+    QSignalSpy asked(&bench.page, &CertificatePage::templateFileRequested);
+    bench.press("templateBrowse");
+    QCOMPARE(asked.count(), 1);
+    put("{}");
+    bench.page.takeTemplate(path);
+    QCOMPARE(bench.recipe().certificate.templateName, std::string("accredited"));
+    CertificateTemplate layout;
+    layout.languages = std::vector<std::string>{"sv"};
+    put(templateJson(layout));
+    bench.page.takeTemplate(path);
+    QCOMPARE(bench.recipe().certificate.templateName, path.toStdString());
+    const auto *choice = bench.control<QComboBox>("certificateTemplate");
+    QCOMPARE(choice->currentText(), QString("lab && co.json"));
+    QCOMPARE(choice->count(), 5);
+    QVERIFY(!bench.isEnabled("certificateLanguage")); // the template says it
+    QCOMPARE(bench.control<QComboBox>("certificateLanguage")->currentIndex(), 1);
+    bench.choose("certificateTemplate", 0);
+    QCOMPARE(choice->count(), 4);
+    QVERIFY(bench.isEnabled("certificateLanguage"));
+}
+
+void TestCertificatePage::template_unknown_isShownAndSaid()
+{
+    Bench bench;
+    Recipe recipe = bench.recipe();
+    recipe.certificate.templateName = "fancy";
+    bench.session.apply(recipe, "Open an old job");
+    QCOMPARE(bench.control<QComboBox>("certificateTemplate")->currentText(), QString("fancy"));
+    const QString note = bench.control<QLabel>("templateNote")->text();
+    QVERIFY2(note.startsWith("■") && note.contains("accredited, full, short"), qPrintable(note));
 }
 
 void TestCertificatePage::swedish_labelsAndCounts()

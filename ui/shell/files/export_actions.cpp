@@ -10,6 +10,7 @@
 #include "core/capture/source_check.h"
 #include "core/results/model_export.h"
 #include "core/results/publication.h"
+#include "ui/report/report_logo.h"
 #include "ui/session/capture_edit.h"
 #include "ui/session/session.h"
 #include "ui/shell/preferences/preferences.h"
@@ -172,9 +173,15 @@ void ExportActions::startExport(
         emit failed(created.error());
         return;
     }
+    Result<ChosenTemplate> chosen = drawableTemplate(m_session.recipe().certificate.templateName);
+    if (!chosen) {
+        emit failed(chosen.error());
+        return;
+    }
     m_target = target;
     emit busy(tr("Writing %1").arg(shownText(QFileInfo(target).fileName())));
-    m_job.start({outcome(), m_session.recipe(), *created, {}}, parts, write);
+    m_job.start(
+        {outcome(), m_session.recipe(), *created, {}, {}, std::move(*chosen)}, parts, write);
 }
 
 } // namespace dyncal

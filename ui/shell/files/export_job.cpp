@@ -47,7 +47,7 @@ void ExportJob::start(RunFiles run, ReportParts parts, Write write)
     m_run = std::move(run);
     m_write = std::move(write);
     m_drawing = std::make_unique<ReportDrawing>(
-        m_run.outcome.results, m_run.recipe, m_run.createdUtc, parts);
+        m_run.outcome.results, m_run.recipe, m_run.createdUtc, parts, m_run.chosen);
     m_tick.start();
 }
 

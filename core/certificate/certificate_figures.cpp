@@ -1,0 +1,118 @@
+// SPDX-FileCopyrightText: 2026 The Dyncal authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "core/certificate/certificate_figures.h"
+
+#include "core/pipeline/calibration_kind.h"
+
+#include <algorithm>
+#include <array>
+#include <string_view>
+
+namespace dyncal {
+namespace {
+
+using R = const CalibrationResults &;
+
+/// A figure, its caption, and whether the results hold what it shows.
+struct KnownFigure
+{
+    std::string_view id;
+    const char *caption;
+    bool (*isThere)(R);
+};
+
+bool hasCaptures(R r)
+{
+    return r.captures != nullptr;
+}
+bool hasWindow(R r)
+{
+    return r.window != nullptr;
+}
+/// One shot alone has none: its figures would be empty.
+bool hasComponents(R r)
+{
+    return r.components && r.components->principal;
+}
+bool hasInput(R r)
+{
+    return r.input != nullptr;
+}
+bool hasDecomposition(R r)
+{
+    return r.decomposition != nullptr;
+}
+bool hasModel(R r)
+{
+    return r.model != nullptr;
+}
+bool hasResponse(R r)
+{
+    return r.response != nullptr;
+}
+bool hasComparison(R r)
+{
+    return r.comparison && r.comparison->againstStep;
+}
+
+constexpr std::array<KnownFigure, 22> kKnownFigures{{
+    {"raw-dut", DYNCAL_TEXT("core", "Recordings of the item calibrated"), hasCaptures},
+    {"raw-driven-side", DYNCAL_TEXT("core", "Recordings of the sensors in the wall of the driven section"), hasCaptures},
+    {"raw-driver", DYNCAL_TEXT("core", "Recordings of the sensor in the driver section"),
+        hasCaptures},
+    {"responses", DYNCAL_TEXT("core", "Responses of the item, aligned at their start"), hasWindow},
+    {"responses-start", DYNCAL_TEXT("core", "First moments of the responses"), hasWindow},
+    {"spectrum", DYNCAL_TEXT("core", "Power spectra of the responses"), hasWindow},
+    {"explained", DYNCAL_TEXT("core", "Share explained by the first principal components"),
+        hasComponents},
+    {"reconstruction", DYNCAL_TEXT("core", "Responses reconstructed from the components kept"),
+        hasComponents},
+    {"residuals", DYNCAL_TEXT("core", "Residuals of the reconstruction"), hasComponents},
+    {"residual-autocovariance",
+        DYNCAL_TEXT("core", "Autocovariance of the residuals; dotted: white noise"), hasComponents},
+    {"residual-spectrum", DYNCAL_TEXT("core", "Power spectra of the residuals"), hasComponents},
+    {"average", DYNCAL_TEXT("core", "Average of the reconstructions"), hasComponents},
+    {"model-input", DYNCAL_TEXT("core", "Input of the model"), hasInput},
+    {"singular-values", DYNCAL_TEXT("core", "Singular values of the Hankel matrix"),
+        hasDecomposition},
+    {"bic", DYNCAL_TEXT("core", "Bayesian information criterion over the order"), hasDecomposition},
+    {"model-data", DYNCAL_TEXT("core", "Responses and model"), hasModel},
+    {"model-error", DYNCAL_TEXT("core", "Responses minus model"), hasModel},
+    {"pole-zero", DYNCAL_TEXT("core", "Poles and zeros of the model in the z-plane"), hasModel},
+    {"step", DYNCAL_TEXT("core", "Step response of the model"), hasModel},
+    {"magnitude", DYNCAL_TEXT("core", "Frequency response, magnitude"), hasResponse},
+    {"phase", DYNCAL_TEXT("core", "Frequency response, phase"), hasResponse},
+    {"comparison", DYNCAL_TEXT("core", "Magnitude against the reference transducer and against the pressure step, less the mean of both"), hasComparison},
+}};
+
+const KnownFigure *knownFigure(const std::string &id)
+{
+    const auto found = std::ranges::find(kKnownFigures, std::string_view(id), &KnownFigure::id);
+    return found == kKnownFigures.end() ? nullptr : &*found;
+}
+
+/// A free decay has neither a frequency response nor a step.
+bool isOfSteps(const std::string &figure)
+{
+    return figure == "magnitude" || figure == "phase" || figure == "step";
+}
+
+} // namespace
+
+CertificateSection figuresSection(const CalibrationResults &results, const Recipe &recipe,
+    const std::vector<std::string> &figures)
+{
+    CertificateSection section;
+    section.id = "figures";
+    section.title = {DYNCAL_TEXT("core", "Figures"), {}};
+    const bool isDecay = calibrationKind(results, recipe) == CalibrationKind::FreeDecay;
+    for (const std::string &id : figures) {
+        const KnownFigure *figure = knownFigure(id);
+        if (figure && figure->isThere(results) && !(isDecay && isOfSteps(id)))
+            section.figures.push_back({id, {figure->caption, {}}});
+    }
+    return section;
+}
+
+} // namespace dyncal
