@@ -15,7 +15,7 @@ set(rooms_of_core base base/writing capture
     realization/exponentials realization/input realization/hankel realization/refinement
     realization/nuisance realization/second_order realization/model realization/order
     model_analysis consistency uncertainty monte_carlo project pipeline certificate results issue batch correction
-    recheck synthesis selftest)
+    recheck history synthesis selftest)
 set(rooms_of_registry trail store cards certificates issued)
 set(rooms_of_ui text session plot/values plot/curves plot/qcp plot/widget report
     stages/frame stages/candidates stages/shock stages/window stages/spectrum stages/model

@@ -24,9 +24,9 @@
 namespace dyncal {
 namespace {
 
-constexpr std::array<std::string_view, 15> kVerbs{"simulate", "info", "import", "check", "run",
-    "batch", "compare", "export", "correct", "recheck", "issue", "withdraw", "verify", "registry",
-    "selftest"};
+constexpr std::array<std::string_view, 16> kVerbs{"simulate", "info", "import", "check", "run",
+    "batch", "compare", "export", "correct", "recheck", "history", "issue", "withdraw", "verify",
+    "registry", "selftest"};
 /// Files open at once while a recording is read and results are written.
 constexpr int kFilesOfAVerb = 12;
 /// A word that differs by more letters than this is not taken for a misspelt subcommand.
@@ -69,6 +69,7 @@ int parseAndAct(int argc, char **argv)
     addExport(program, action);
     addCorrect(program, action);
     addRecheck(program, action);
+    addHistory(program, action);
     addIssue(program, action);
     addWithdraw(program, action);
     addVerify(program, action);

@@ -3,18 +3,19 @@
 
 #include "app/cli/recheck_text.h"
 
+#include "app/cli/columns_text.h"
+
 #include "core/base/foreign_text.h"
 #include "core/base/number_text.h"
 #include "core/base/rounding.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 namespace dyncal {
 namespace {
 
-using Cells = std::array<std::string, 6>;
+using Cells = std::vector<std::string>;
 
 constexpr int kDigitsOfRatio = 3;
 
@@ -63,35 +64,13 @@ Cells cellsOf(const RecheckRow &row)
         expandedText(*row.difference), presentableInBrief(row.answer->folder)};
 }
 
-/// How many characters of UTF-8.
-std::size_t widthOf(const std::string &text)
-{
-    return static_cast<std::size_t>(std::ranges::count_if(
-        text, [](char c) { return (static_cast<unsigned char>(c) & 0xC0U) != 0x80U; }));
-}
-
-std::string tableText(const std::vector<Cells> &rows)
-{
-    std::array<std::size_t, 6> widths{};
-    for (const Cells &row : rows)
-        for (std::size_t i = 0; i < row.size(); ++i)
-            widths[i] = std::max(widths[i], widthOf(row[i]));
-    std::string text;
-    for (const Cells &row : rows) {
-        for (std::size_t i = 0; i < row.size(); ++i)
-            text += row[i]
-                + (i + 1 < row.size() ? std::string(widths[i] - widthOf(row[i]) + 2, ' ') : "\n");
-    }
-    return text;
-}
-
 std::string tableOfQuantities(const std::vector<RecheckRow> &rows)
 {
     std::vector<Cells> cells{{"over U", "quantity", "issued", "now", "U as issued", "folder"}};
     for (const RecheckRow &row : rows)
         if (row.difference)
             cells.push_back(cellsOf(row));
-    return cells.size() > 1 ? tableText(cells) + '\n' : std::string();
+    return cells.size() > 1 ? columnsText(cells) + '\n' : std::string();
 }
 
 std::string verdictOf(const RecheckedRun &run)

@@ -11,7 +11,8 @@ namespace dyncal {
 
 namespace {
 
-constexpr std::string_view kPattern = "0000-00-00";
+constexpr std::string_view kDayPattern = "0000-00-00";
+constexpr std::string_view kMomentPattern = "0000-00-00T00:00:00Z";
 
 int numberAt(std::string_view text, std::size_t begin, std::size_t count)
 {
@@ -20,16 +21,34 @@ int numberAt(std::string_view text, std::size_t begin, std::size_t count)
     return number;
 }
 
-bool hasPattern(std::string_view text)
+/// '0' stands for any digit, anything else for itself.
+bool hasPattern(std::string_view text, std::string_view pattern)
 {
-    if (text.size() != kPattern.size())
+    if (text.size() != pattern.size())
         return false;
     for (std::size_t i = 0; i < text.size(); ++i) {
         const bool isDigit = text[i] >= '0' && text[i] <= '9';
-        if (kPattern[i] == '0' ? !isDigit : text[i] != kPattern[i])
+        if (pattern[i] == '0' ? !isDigit : text[i] != pattern[i])
             return false;
     }
     return true;
+}
+
+std::chrono::year_month_day dayIn(std::string_view text)
+{
+    return {std::chrono::year(numberAt(text, 0, 4)),
+        std::chrono::month(static_cast<unsigned>(numberAt(text, 5, 2))),
+        std::chrono::day(static_cast<unsigned>(numberAt(text, 8, 2)))};
+}
+
+/// Of the day; a leap second is none.
+std::optional<double> secondsIn(std::string_view moment)
+{
+    const int hour = numberAt(moment, 11, 2), minute = numberAt(moment, 14, 2),
+              second = numberAt(moment, 17, 2);
+    if (hour > 23 || minute > 59 || second > 59)
+        return std::nullopt;
+    return 3600.0 * hour + 60.0 * minute + second;
 }
 
 } // namespace
@@ -40,17 +59,29 @@ std::string calendarDate(std::string_view text)
     const std::size_t begin = std::min(text.find_first_not_of(kBlanks), text.size());
     text.remove_prefix(begin);
     text = text.substr(0, text.find_last_not_of(kBlanks) + 1);
-    if (!hasPattern(text))
+    if (!hasPattern(text, kDayPattern))
         return {};
-    const std::chrono::year_month_day day{std::chrono::year(numberAt(text, 0, 4)),
-        std::chrono::month(static_cast<unsigned>(numberAt(text, 5, 2))),
-        std::chrono::day(static_cast<unsigned>(numberAt(text, 8, 2)))};
-    return day.ok() ? std::string(text) : std::string();
+    return dayIn(text).ok() ? std::string(text) : std::string();
 }
 
 bool isCalendarDate(std::string_view text)
 {
     return !calendarDate(text).empty();
+}
+
+std::optional<double> daysSince1970(std::string_view text)
+{
+    constexpr double kNoon_s = 43200.0, kDay_s = 86400.0;
+    const std::string_view day = text.substr(0, kDayPattern.size());
+    std::optional<double> seconds;
+    if (text.size() == day.size())
+        seconds = kNoon_s;
+    else if (hasPattern(text, kMomentPattern))
+        seconds = secondsIn(text);
+    if (!seconds || calendarDate(day) != day)
+        return std::nullopt;
+    return static_cast<double>(std::chrono::sys_days(dayIn(day)).time_since_epoch().count())
+        + *seconds / kDay_s;
 }
 
 } // namespace dyncal

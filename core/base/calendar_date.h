@@ -3,6 +3,7 @@
 
 #pragma once
 
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -14,5 +15,10 @@ bool isCalendarDate(std::string_view text);
 
 /// The day without blanks, which compares as text; empty where it is none.
 std::string calendarDate(std::string_view text);
+
+/// Days since the beginning of 1970 (UTC): of a moment as ISO 8601 writes it,
+/// "2026-01-31T04:23:11Z", or of a day of the calendar, which counts at its noon. Empty where it is
+/// neither.
+std::optional<double> daysSince1970(std::string_view text);
 
 } // namespace dyncal

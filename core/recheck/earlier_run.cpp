@@ -26,7 +26,7 @@ using RunJson = nlohmann::json;
 constexpr std::size_t kLargestResults = std::size_t(256) << 20U;
 constexpr std::size_t kMostKeysNamed = 8;
 
-std::optional<std::string> fileIn(const std::string &folder, const char *name)
+std::optional<std::string> fileIn(const std::string &folder, const std::string &name)
 {
     const FileDescriptor opened(::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
     return opened.valid() ? textAt(opened.get(), name, kLargestResults) : std::nullopt;
@@ -37,23 +37,41 @@ std::string pathIn(const std::string &folder, const char *name)
     return (fs::path(folder) / name).string();
 }
 
-Result<std::string> resultsText(const std::string &folder)
+/// Where a results.json is.
+struct ResultsPlace
 {
-    if (std::optional<std::string> text = fileIn(folder, kResultsFile))
+    std::string folder;
+    std::string name;
+
+    std::string path() const { return pathIn(folder, name.c_str()); }
+};
+
+ResultsPlace placeOf(const std::string &path)
+{
+    std::error_code unknown;
+    if (fs::is_directory(path, unknown))
+        return {path, kResultsFile};
+    const std::string folder = fs::path(path).parent_path().string();
+    return {folder.empty() ? "." : folder, fs::path(path).filename().string()};
+}
+
+Result<std::string> resultsText(const ResultsPlace &place)
+{
+    if (std::optional<std::string> text = fileIn(place.folder, place.name))
         return std::move(*text);
     return fail(ErrorKind::FileUnreadable,
         {DYNCAL_TEXT("core",
              "%1 cannot be read, or is larger than 256 MiB; check that it is the file of a run and that you may read it."),
-            {pathIn(folder, kResultsFile)}});
+            {place.path()}});
 }
 
 /// Empty, or what is wrong with results.json by the list of the run.
-std::vector<Message> ofWrittenList(const std::string &folder, const std::string &text)
+std::vector<Message> ofWrittenList(const ResultsPlace &place, const std::string &sha256)
 {
-    const auto file = fileIn(folder, kWrittenList);
+    const auto file = fileIn(place.folder, kWrittenList);
     const auto list = file ? parseWrittenList(*file) : std::nullopt;
-    const WrittenFile *entry = list ? listed(*list, kResultsFile) : nullptr;
-    if (!entry || entry->sha256 == sha256Hex(text))
+    const WrittenFile *entry = list ? listed(*list, place.name) : nullptr;
+    if (!entry || entry->sha256 == sha256)
         return {};
     return {
         {DYNCAL_TEXT("core",
@@ -223,26 +241,36 @@ Result<std::vector<std::string>> runFoldersBelow(const std::string &folder)
     return found;
 }
 
-Result<EarlierRun> readEarlierRun(const std::string &folder)
+Result<EarlierResults> readEarlierResults(const std::string &path)
 {
-    const std::string name = pathIn(folder, kResultsFile);
-    const Result<std::string> text = resultsText(folder);
+    const ResultsPlace place = placeOf(path);
+    const Result<std::string> text = resultsText(place);
     if (!text)
         return tl::unexpected<Error>(text.error());
-    Result<RunJson> results = parseResults(*text, name);
+    Result<RunJson> results = parseResults(*text, place.path());
     if (!results)
         return tl::unexpected<Error>(results.error());
-    const RunJson &stated = valueAt(*results, "recipe");
+    std::string sha256 = sha256Hex(*text);
+    std::vector<Message> remarks = ofWrittenList(place, sha256);
+    return EarlierResults{place.path(), std::move(*results), std::move(sha256), std::move(remarks)};
+}
+
+Result<EarlierRun> readEarlierRun(const std::string &folder)
+{
+    Result<EarlierResults> read = readEarlierResults(folder);
+    if (!read)
+        return tl::unexpected<Error>(read.error());
+    const RunJson &stated = valueAt(read->results, "recipe");
     Result<Recipe> recipe = recipeOfRun(folder, stated);
     if (!recipe)
         return tl::unexpected<Error>(recipe.error());
-    Result<std::vector<RecordedInput>> inputs = recordedInputs(*results, name);
+    Result<std::vector<RecordedInput>> inputs = recordedInputs(read->results, read->file);
     if (!inputs)
         return tl::unexpected<Error>(inputs.error());
-    std::vector<Message> remarks = ofWrittenList(folder, *text);
-    append(remarks, ofRecipeFile(folder, stated));
-    append(remarks, ofNewerKeys(*recipe, stated));
-    return EarlierRun{folder, std::move(*results), std::move(*recipe), std::move(*inputs), remarks};
+    append(read->remarks, ofRecipeFile(folder, stated));
+    append(read->remarks, ofNewerKeys(*recipe, stated));
+    return EarlierRun{folder, std::move(read->results), std::move(*recipe), std::move(*inputs),
+        std::move(read->remarks)};
 }
 
 } // namespace dyncal

@@ -31,6 +31,19 @@ struct EarlierRun
 
 inline constexpr const char *kResultsFile = "results.json";
 
+/// A results.json as it is on disk.
+struct EarlierResults
+{
+    std::string file; ///< its path
+    nlohmann::json results; ///< as parseResults() reads it
+    std::string sha256; ///< of its bytes
+    std::vector<Message> remarks; ///< that it is not the file that written.json beside it lists
+};
+
+/// Reads a results.json, under whatever name, or the one of a folder. Fails (FileUnreadable) where
+/// it is not there or cannot be read, (Usage) as parseResults() does.
+Result<EarlierResults> readEarlierResults(const std::string &path);
+
 /// Every folder that holds a results.json, the given one and all below it, hidden ones left out, in
 /// natural order; links to folders are not followed. Fails (FileUnreadable) if it is no folder, and
 /// if there is none.

@@ -27,6 +27,14 @@ std::vector<MethodChange> allSinceTheFirst(const MethodVersions &now)
 
 } // namespace
 
+std::string MethodChange::text() const
+{
+    if (!issued)
+        return step + ' ' + std::to_string(*now) + " (new)";
+    return step + ' ' + std::to_string(*issued) + " -> "
+        + (now ? std::to_string(*now) : std::string("no longer a step"));
+}
+
 std::optional<MethodVersions> statedMethods(const nlohmann::json &results)
 {
     const nlohmann::json &stated = valueAt(valueAt(results, "software"), "method");

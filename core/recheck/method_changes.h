@@ -21,6 +21,7 @@ struct MethodChange
     std::optional<int> now; ///< empty: there is no such step any more
 
     bool isOfLaterVersion() const { return issued && (!now || *issued > *now); }
+    std::string text() const; ///< "shock 1 -> 6", "uncertainty 3 (new)"
     bool operator==(const MethodChange &) const = default;
 };
 

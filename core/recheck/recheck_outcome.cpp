@@ -81,14 +81,6 @@ bool isGraver(const RecheckRow &a, const RecheckRow &b)
     return a.kind != b.kind ? a.kind < b.kind : sizeOf(a) > sizeOf(b);
 }
 
-std::string changeText(const MethodChange &change)
-{
-    if (!change.issued)
-        return change.step + ' ' + std::to_string(*change.now) + " (new)";
-    return change.step + ' ' + std::to_string(*change.issued) + " -> "
-        + (change.now ? std::to_string(*change.now) : std::string("no longer a step"));
-}
-
 std::string unrecordedText(const MethodChange &change)
 {
     return change.step + " -> " + std::to_string(*change.now);
@@ -228,7 +220,7 @@ std::string methodChangesText(const RecheckedRun &run)
     std::string text;
     for (const MethodChange &change : run.methods)
         text += (text.empty() ? "" : ", ")
-            + (run.areMethodsRecorded ? changeText(change) : unrecordedText(change));
+            + (run.areMethodsRecorded ? change.text() : unrecordedText(change));
     if (!run.areMethodsRecorded)
         return "made before method versions were recorded; changed since the first: " + text;
     const bool isLater

@@ -81,6 +81,38 @@ private slots:
         QCOMPARE(remarksOf(folder), std::string());
     }
 
+    void results_areReadUnderWhateverName()
+    {
+        const ScratchFolder scratch;
+        const std::string text = jsonText(earlierResults()); // no recording, and no recipe needed
+        const std::string file = put(scratch, "kept/of-2024.json", text);
+        put(scratch, "kept/written.json", listOf("results.json", "something else"));
+        const auto read = readEarlierResults(file);
+        QVERIFY(read.has_value());
+        QCOMPARE(read->file, file);
+        QVERIFY(read->results == earlierResults());
+        QCOMPARE(read->sha256, sha256Hex(std::string_view(text)));
+        QVERIFY(read->remarks.empty());
+        put(scratch, "kept/written.json", listOf("of-2024.json", "something else"));
+        QCOMPARE(readEarlierResults(file)->remarks.size(), std::size_t(1));
+        QCOMPARE(readEarlierResults(putResults(scratch, "out", earlierResults()))->file,
+            scratch.file("out/results.json"));
+    }
+
+    void resultsThatAreNone_areRefused()
+    {
+        const ScratchFolder scratch;
+        const auto kindOf = [](const std::string &path) {
+            const auto read = readEarlierResults(path);
+            return read ? std::optional<ErrorKind>() : std::optional(read.error().kind);
+        };
+        QCOMPARE(kindOf(scratch.file("none.json")), std::optional(ErrorKind::FileUnreadable));
+        QCOMPARE(kindOf(scratch.file("")), std::optional(ErrorKind::FileUnreadable));
+        QCOMPARE(kindOf(put(scratch, "a.json", "damaged {")), std::optional(ErrorKind::Usage));
+        QCOMPARE(kindOf(put(scratch, "b.json", "{}")), std::optional(ErrorKind::Usage));
+        QCOMPARE(kindOf(put(scratch, "c.json", "")), std::optional(ErrorKind::Usage));
+    }
+
     void otherRecipeFile_isToldAndNotUsed()
     {
         const ScratchFolder scratch;

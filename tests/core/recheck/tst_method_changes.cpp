@@ -38,6 +38,14 @@ private slots:
         QVERIFY(!MethodChange({"a", std::nullopt, 4}).isOfLaterVersion());
     }
 
+    void text_namesBothVersions()
+    {
+        QCOMPARE(MethodChange({"shock", 1, 6}).text(), std::string("shock 1 -> 6"));
+        QCOMPARE(MethodChange({"shock", std::nullopt, 6}).text(), std::string("shock 6 (new)"));
+        QCOMPARE(MethodChange({"shock", 2, std::nullopt}).text(),
+            std::string("shock 2 -> no longer a step"));
+    }
+
     void unrecordedVersions_nameAllAboveTheFirst()
     {
         const std::vector<MethodChange> needed{{"b", std::nullopt, 2}, {"c", std::nullopt, 9}};

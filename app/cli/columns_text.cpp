@@ -1,0 +1,35 @@
+// SPDX-FileCopyrightText: 2026 The Dyncal authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "app/cli/columns_text.h"
+
+#include <algorithm>
+
+namespace dyncal {
+namespace {
+
+/// How many characters of UTF-8.
+std::size_t widthOf(const std::string &text)
+{
+    return static_cast<std::size_t>(std::ranges::count_if(
+        text, [](char c) { return (static_cast<unsigned char>(c) & 0xC0U) != 0x80U; }));
+}
+
+} // namespace
+
+std::string columnsText(const std::vector<std::vector<std::string>> &rows)
+{
+    std::vector<std::size_t> widths(rows.empty() ? 0 : rows.front().size(), 0);
+    for (const auto &row : rows)
+        for (std::size_t i = 0; i < row.size(); ++i)
+            widths[i] = std::max(widths[i], widthOf(row[i]));
+    std::string text;
+    for (const auto &row : rows) {
+        for (std::size_t i = 0; i < row.size(); ++i)
+            text += row[i]
+                + (i + 1 < row.size() ? std::string(widths[i] - widthOf(row[i]) + 2, ' ') : "\n");
+    }
+    return text;
+}
+
+} // namespace dyncal

@@ -1,0 +1,145 @@
+// SPDX-FileCopyrightText: 2026 The Dyncal authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "core/history/sensor_calibrations.h"
+
+#include "core/base/ascii_text.h"
+
+#include <algorithm>
+#include <map>
+#include <tuple>
+
+namespace dyncal {
+namespace {
+
+constexpr std::size_t kMostSerialsNamed = 12;
+
+std::vector<std::string> serialsOf(const std::vector<EarlierCalibration> &all)
+{
+    std::vector<std::string> serials;
+    for (const EarlierCalibration &one : all)
+        if (!one.serial.empty())
+            serials.push_back(one.serial);
+    std::ranges::sort(serials);
+    serials.erase(std::unique(serials.begin(), serials.end()), serials.end());
+    return serials;
+}
+
+std::string named(const std::vector<std::string> &serials)
+{
+    std::string text;
+    for (std::size_t i = 0; i < std::min(serials.size(), kMostSerialsNamed); ++i)
+        text += (i > 0 ? ", " : "") + serials[i];
+    return serials.size() > kMostSerialsNamed ? text + ", ..." : text;
+}
+
+Result<std::string> chosenSerial(const std::vector<std::string> &there, const std::string &asked)
+{
+    if (there.empty())
+        return fail(ErrorKind::Usage,
+            {DYNCAL_TEXT("core",
+                 "None of the results states the serial number of its sensor (certificate.fields.sensor_serial of the recipe), so they are nobody's history; fill it in and repeat the runs."),
+                {}});
+    if (asked.empty() && there.size() > 1)
+        return fail(ErrorKind::Usage,
+            {DYNCAL_TEXT("core",
+                 "The results are of %1 sensors, and a history is of one; choose it by its serial number (--sensor): %2."),
+                {std::to_string(there.size()), named(there)}});
+    if (!asked.empty() && std::ranges::find(there, asked) == there.end())
+        return fail(ErrorKind::Usage,
+            {DYNCAL_TEXT("core",
+                 "None of the results is of a sensor with the serial number %1; there are results of %2."),
+                {asked, named(there)}});
+    return asked.empty() ? there.front() : asked;
+}
+
+/// What counts more comes last.
+auto standing(const EarlierCalibration &one)
+{
+    return std::tuple(one.blocked.empty(), std::string_view(one.createdUtc), one.number);
+}
+
+bool isFromSameRecordings(const EarlierCalibration &a, const EarlierCalibration &b)
+{
+    return !a.recordings.empty() && a.recordings == b.recordings;
+}
+
+/// The one that stands for all results from the same recordings.
+const EarlierCalibration &standingFor(
+    const EarlierCalibration &one, const std::vector<EarlierCalibration> &all)
+{
+    const EarlierCalibration *best = &one;
+    for (const EarlierCalibration &other : all)
+        if (isFromSameRecordings(one, other) && standing(*best) < standing(other))
+            best = &other;
+    // Of those equal in all that counts the first, so that one is left.
+    for (const EarlierCalibration &other : all)
+        if (isFromSameRecordings(one, other) && !(standing(other) < standing(*best)))
+            return other;
+    return *best;
+}
+
+std::string ofSameRecordings(const EarlierCalibration &counts)
+{
+    return "The same recordings are in " + calibrationName(counts.number, counts.file)
+        + ", which is newer or not blocked and counts.";
+}
+
+/// Names of those that stand for others, before anything is moved.
+std::vector<std::string> reasonsToLeaveOut(const std::vector<EarlierCalibration> &all)
+{
+    std::vector<std::string> reasons;
+    for (const EarlierCalibration &one : all) {
+        const EarlierCalibration &counts = standingFor(one, all);
+        reasons.push_back(&counts == &one ? std::string() : ofSameRecordings(counts));
+    }
+    return reasons;
+}
+
+bool isEarlier(const EarlierCalibration &a, const EarlierCalibration &b)
+{
+    return std::tie(a.day, a.createdUtc, a.number) < std::tie(b.day, b.createdUtc, b.number);
+}
+
+/// Those of one sensor; what states no serial number is left out.
+std::vector<EarlierCalibration> ofSensor(
+    std::vector<EarlierCalibration> all, SensorCalibrations &sensor)
+{
+    std::vector<EarlierCalibration> own;
+    for (EarlierCalibration &one : all) {
+        if (one.serial == sensor.serial)
+            own.push_back(std::move(one));
+        else if (one.serial.empty())
+            sensor.leftOut.push_back({one.file, one.number,
+                "It states no serial number (certificate.fields.sensor_serial of the recipe)."});
+    }
+    return own;
+}
+
+} // namespace
+
+std::string calibrationName(Index number, const std::string &file)
+{
+    return number > 0 ? "certificate " + std::to_string(number) + " (" + file + ')' : file;
+}
+
+Result<SensorCalibrations> calibrationsOfSensor(
+    std::vector<EarlierCalibration> all, const std::string &serial)
+{
+    const Result<std::string> chosen = chosenSerial(serialsOf(all), std::string(trimmed(serial)));
+    if (!chosen)
+        return tl::unexpected<Error>(chosen.error());
+    SensorCalibrations sensor{.serial = *chosen};
+    std::vector<EarlierCalibration> own = ofSensor(std::move(all), sensor);
+    const std::vector<std::string> reasons = reasonsToLeaveOut(own);
+    for (std::size_t i = 0; i < own.size(); ++i) {
+        if (reasons[i].empty())
+            sensor.points.push_back(std::move(own[i]));
+        else
+            sensor.leftOut.push_back({own[i].file, own[i].number, reasons[i]});
+    }
+    std::ranges::stable_sort(sensor.points, isEarlier);
+    return sensor;
+}
+
+} // namespace dyncal
