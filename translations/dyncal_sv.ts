@@ -9006,6 +9006,170 @@ steget</translation>
         <source>The card &quot;%1&quot; has no name of its own: it is empty, longer than 200 bytes or there twice; give every card a name.</source>
         <translation>Kortet ”%1” har inget eget namn: det är tomt, längre än 200 byte eller finns två gånger; ge varje kort ett namn.</translation>
     </message>
+    <message>
+        <source>Figures</source>
+        <translation>Figurer</translation>
+    </message>
+    <message>
+        <source>Singular values of the Hankel matrix</source>
+        <translation>Hankelmatrisens singulärvärden</translation>
+    </message>
+    <message>
+        <source>Responses and model</source>
+        <translation>Svar och modell</translation>
+    </message>
+    <message>
+        <source>Responses minus model</source>
+        <translation>Svar minus modell</translation>
+    </message>
+    <message>
+        <source>Frequency response, magnitude</source>
+        <translation>Frekvenssvar, belopp</translation>
+    </message>
+    <message>
+        <source>Frequency response, phase</source>
+        <translation>Frekvenssvar, fas</translation>
+    </message>
+    <message>
+        <source>Power spectra of the responses</source>
+        <translation>Svarens effektspektra</translation>
+    </message>
+    <message>
+        <source>Poles and zeros of the model in the z-plane</source>
+        <translation>Modellens poler och nollställen i z-planet</translation>
+    </message>
+    <message>
+        <source>Magnitude against the reference transducer and against the pressure step, less the mean of both</source>
+        <translation>Belopp mot referensgivaren och mot trycksteget, minus medelvärdet av båda</translation>
+    </message>
+    <message>
+        <source>Recordings of the item calibrated</source>
+        <translation>Registreringar av det kalibrerade objektet</translation>
+    </message>
+    <message>
+        <source>Recordings of the sensors in the wall of the driven section</source>
+        <translation>Registreringar av givarna i lågtrycksdelens vägg</translation>
+    </message>
+    <message>
+        <source>Recordings of the sensor in the driver section</source>
+        <translation>Registreringar av givaren i högtrycksdelen</translation>
+    </message>
+    <message>
+        <source>Responses of the item, aligned at their start</source>
+        <translation>Objektets svar, lagda med början i samma punkt</translation>
+    </message>
+    <message>
+        <source>First moments of the responses</source>
+        <translation>Svarens första ögonblick</translation>
+    </message>
+    <message>
+        <source>Share explained by the first principal components</source>
+        <translation>Andel som förklaras av de första principalkomponenterna</translation>
+    </message>
+    <message>
+        <source>Responses reconstructed from the components kept</source>
+        <translation>Svar rekonstruerade ur de behållna komponenterna</translation>
+    </message>
+    <message>
+        <source>Residuals of the reconstruction</source>
+        <translation>Rekonstruktionens residualer</translation>
+    </message>
+    <message>
+        <source>Autocovariance of the residuals; dotted: white noise</source>
+        <translation>Residualernas autokovarians; prickat: vitt brus</translation>
+    </message>
+    <message>
+        <source>Power spectra of the residuals</source>
+        <translation>Residualernas effektspektra</translation>
+    </message>
+    <message>
+        <source>Average of the reconstructions</source>
+        <translation>Medelvärde av rekonstruktionerna</translation>
+    </message>
+    <message>
+        <source>Input of the model</source>
+        <translation>Modellindata</translation>
+    </message>
+    <message>
+        <source>Bayesian information criterion over the order</source>
+        <translation>Bayesianskt informationskriterium över ordningen</translation>
+    </message>
+    <message>
+        <source>Step response of the model</source>
+        <translation>Modellens stegsvar</translation>
+    </message>
+    <message>
+        <source>Template key %1 is %2; it needs %3.</source>
+        <translation>Mallens nyckel %1 är %2; den behöver %3.</translation>
+    </message>
+    <message>
+        <source>Template key %1 is unknown; the nearest known key is %2.</source>
+        <translation>Mallens nyckel %1 är okänd; den närmaste kända nyckeln är %2.</translation>
+    </message>
+    <message>
+        <source>Template key %1 names &quot;%2&quot; twice; name it once, where it is to stand.</source>
+        <translation>Mallens nyckel %1 nämner &quot;%2&quot; två gånger; nämn det en gång, där det ska stå.</translation>
+    </message>
+    <message>
+        <source>Template key sections leaves out &quot;%1&quot;, which every calibration certificate must have (ISO/IEC 17025, 7.8.2 and 7.8.4); add it.</source>
+        <translation>Mallens nyckel sections utelämnar &quot;%1&quot;, som varje kalibreringsbevis måste ha (ISO/IEC 17025, 7.8.2 och 7.8.4); lägg till det.</translation>
+    </message>
+    <message>
+        <source>Template key quantities leaves out &quot;%1&quot;, which every certificate states where it is determined; add it.</source>
+        <translation>Mallens nyckel quantities utelämnar &quot;%1&quot;, som varje bevis anger där det är bestämt; lägg till det.</translation>
+    </message>
+    <message>
+        <source>Template key sections has &quot;%1&quot; before &quot;key-results&quot;, which belong on the first page; put &quot;key-results&quot; before it, with at most &quot;administrative&quot; and &quot;item&quot; above.</source>
+        <translation>Mallens nyckel sections har &quot;%1&quot; före &quot;key-results&quot;, som hör hemma på första sidan; ställ &quot;key-results&quot; före, med högst &quot;administrative&quot; och &quot;item&quot; ovanför.</translation>
+    </message>
+    <message>
+        <source>Template key figures names %1, and sections has no &quot;figures&quot; where they could stand; add that section, or name no figures ([]).</source>
+        <translation>Mallens nyckel figures nämner %1 figurer, och sections saknar &quot;figures&quot; där de kunde stå; lägg till det avsnittet, eller nämn inga figurer ([]).</translation>
+    </message>
+    <message>
+        <source>There is no template &quot;%1&quot; (certificate.template); it needs one of %2, or a file that ends in .json.</source>
+        <translation>Det finns ingen mall &quot;%1&quot; (certificate.template); den måste vara en av %2, eller en fil som slutar på .json.</translation>
+    </message>
+    <message>
+        <source>The file %1 of the certificate&apos;s template cannot be read, or is larger than %2 KiB; put it there, or choose another template.</source>
+        <translation>Filen %1 till bevisets mall kan inte läsas, eller är större än %2 KiB; lägg dit den, eller välj en annan mall.</translation>
+    </message>
+    <message>
+        <source>The logo %1 is no PNG image of at most %2 x %2 pixels; make it smaller, or use an SVG.</source>
+        <translation>Logotypen %1 är ingen PNG-bild på högst %2 x %2 bildpunkter; gör den mindre, eller använd en SVG.</translation>
+    </message>
+    <message>
+        <source>The logo %1 is no SVG drawing that stands by itself; it must hold no links (href), document type, entities, scripts or style sheets: save it as a plain SVG.</source>
+        <translation>Logotypen %1 är ingen SVG-teckning som står för sig själv; den får inte innehålla länkar (href), dokumenttyp, entiteter, skript eller formatmallar: spara den som vanlig SVG.</translation>
+    </message>
+    <message>
+        <source>The logo %1 of the template %2 cannot be drawn; save it anew as PNG or plain SVG.</source>
+        <translation>Logotypen %1 till mallen %2 kan inte ritas; spara den på nytt som PNG eller vanlig SVG.</translation>
+    </message>
+    <message>
+        <source>%1 is not the file that was issued (the manifest of certificate %2 has another hash), so it is nobody&apos;s history; look with dyncal verify what was changed.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 holds results that the history is made from; write it under another name.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 does not say when the calibration was: certificate.fields.date_performed is no day, and created_utc is &quot;%2&quot; instead of a moment such as 2026-01-31T09:00:00Z; repeat the run.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>None of the results states the serial number of its sensor (certificate.fields.sensor_serial of the recipe), so they are nobody&apos;s history; fill it in and repeat the runs.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The results are of %1 sensors, and a history is of one; choose it by its serial number (--sensor): %2.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>None of the results is of a sensor with the serial number %1; there are results of %2.</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>dyncal::ArrivalPanel</name>
@@ -13532,6 +13696,65 @@ steget</translation>
     <message>
         <source>shot %1: left out</source>
         <translation>skott %1: utelämnad</translation>
+    </message>
+</context>
+<context>
+    <name>dyncal::TemplatePanel</name>
+    <message>
+        <source>Template</source>
+        <translation>Mall</translation>
+    </message>
+    <message>
+        <source>Choose a template&apos;s file...</source>
+        <translation>Välj en malls fil...</translation>
+    </message>
+    <message>
+        <source>Language</source>
+        <translation>Språk</translation>
+    </message>
+    <message>
+        <source>Change the certificate&apos;s template</source>
+        <translation>Ändra kalibreringsbevisets mall</translation>
+    </message>
+    <message>
+        <source>Change the certificate&apos;s language</source>
+        <translation>Ändra kalibreringsbevisets språk</translation>
+    </message>
+    <message>
+        <source>Choose %1</source>
+        <translation>Välj %1</translation>
+    </message>
+    <message>
+        <source>Accredited</source>
+        <translation>Ackrediterad</translation>
+    </message>
+    <message>
+        <source>The usual certificate.</source>
+        <translation>Det vanliga beviset.</translation>
+    </message>
+    <message>
+        <source>Full</source>
+        <translation>Fullständig</translation>
+    </message>
+    <message>
+        <source>With all figures of the method.</source>
+        <translation>Med metodens alla figurer.</translation>
+    </message>
+    <message>
+        <source>Short</source>
+        <translation>Kort</translation>
+    </message>
+    <message>
+        <source>Without shots, model and figures.</source>
+        <translation>Utan skott, modell och figurer.</translation>
+    </message>
+    <message>
+        <source>Research annex</source>
+        <translation>Forskningsbilaga</translation>
+    </message>
+    <message>
+        <source>With every figure there is.</source>
+        <translation>Med alla figurer som finns.</translation>
     </message>
 </context>
 <context>
