@@ -214,6 +214,15 @@ private:
     QPaintDevice *m_device;
 };
 
+/// A column is as wide as the longest word of either language.
+CertificateStyle forTwoLanguages(CertificateStyle style)
+{
+    constexpr int kSmaller = 9;
+    style.table.setPixelSize(kSmaller);
+    style.tableBold.setPixelSize(kSmaller);
+    return style;
+}
+
 /// What the map of poles cannot show is said in its caption.
 QString figureCaption(
     const CertificateFigure &figure, const PlotContent &content, const DocumentWords &words)
@@ -269,9 +278,10 @@ std::vector<double> columnWidths(
 }
 
 std::vector<FlowBlock> certificateBlocks(const CertificateData &data,
-    const std::vector<ReportFigure> &figures, const CertificateStyle &style, double width,
+    const std::vector<ReportFigure> &figures, const CertificateStyle &given, double width,
     QPaintDevice *device)
 {
+    const CertificateStyle style = data.secondLanguage.empty() ? given : forTwoLanguages(given);
     const DocumentWords words(data.secondLanguage);
     const BlockMaker make(style, words, width, device);
     std::vector<FlowBlock> blocks;

@@ -23,7 +23,7 @@ std::string pngHead(unsigned width, unsigned height)
 }
 
 constexpr const char *kSvg
-    = R"(<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 10 10"><path d="M0 0h9" fill="url(#g)"/>%1</svg>)";
+    = R"svg(<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 10 10"><path d="M0 0h9" fill="url(#g)"/>%1</svg>)svg";
 
 std::string svgWith(const char *part)
 {
