@@ -19,10 +19,12 @@ std::size_t widthOf(const std::string &text)
 
 std::string columnsText(const std::vector<std::vector<std::string>> &rows)
 {
-    std::vector<std::size_t> widths(rows.empty() ? 0 : rows.front().size(), 0);
-    for (const auto &row : rows)
+    std::vector<std::size_t> widths;
+    for (const auto &row : rows) {
+        widths.resize(std::max(widths.size(), row.size()));
         for (std::size_t i = 0; i < row.size(); ++i)
             widths[i] = std::max(widths[i], widthOf(row[i]));
+    }
     std::string text;
     for (const auto &row : rows) {
         for (std::size_t i = 0; i < row.size(); ++i)

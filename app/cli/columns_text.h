@@ -8,9 +8,8 @@
 
 namespace dyncal {
 
-/// Rows of cells as lines of columns two blanks apart, all but the last cell filled up to the
-/// widest of its column; a row may have fewer cells than the first. Widths are those of UTF-8
-/// characters.
+/// Rows of cells as lines of columns two blanks apart, all but the last cell of a row filled up to
+/// the widest of its column; rows may differ in length. Widths are those of UTF-8 characters.
 std::string columnsText(const std::vector<std::vector<std::string>> &rows);
 
 } // namespace dyncal

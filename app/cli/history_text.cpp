@@ -70,18 +70,32 @@ std::string numberOrNone(double value, int digits)
     return std::isfinite(value) ? numberText(value, digits) : kNone;
 }
 
-Line lineOf(std::size_t i, const EarlierCalibration &point, const SeriesEntry &entry)
+/// For print, where a number has none.
+std::string unitOf(const std::string &unit)
+{
+    return unit == "1" ? std::string() : presentableInBrief(unit);
+}
+
+Line cellsOf(const SeriesEntry &entry)
 {
     const FollowedValue &stated = entry.stated;
     if (!std::isfinite(stated.value))
-        return {std::to_string(i + 1), dayOf(point), kNone, kNone, kNone, kNone, kNone,
-            presentableInBrief(stated.missing)};
-    const std::string unit = presentableInBrief(stated.unit);
-    const bool hasU = std::isfinite(stated.u);
-    return {std::to_string(i + 1), dayOf(point), roundedText(stated.value, stated.U(), unit),
-        hasU ? numberWithUnit(stated.U(), unit, 2) : kNone, numberOrNone(stated.k, kDigitsOfRatio),
-        numberOrNone(entry.En, 2), entry.state ? controlStateName(*entry.state) : kNone,
-        presentableInBrief(stated.missing)};
+        return {kNone, kNone, kNone, kNone, kNone};
+    const std::string unit = unitOf(stated.unit);
+    return {roundedText(stated.value, stated.U(), unit),
+        std::isfinite(stated.u) ? numberWithUnit(stated.U(), unit, 2) : kNone,
+        numberOrNone(stated.k, kDigitsOfRatio), numberOrNone(entry.En, 2),
+        entry.state ? controlStateName(*entry.state) : kNone};
+}
+
+Line lineOf(std::size_t i, const EarlierCalibration &point, const SeriesEntry &entry)
+{
+    Line line{std::to_string(i + 1), dayOf(point)};
+    for (const std::string &cell : cellsOf(entry))
+        line.push_back(cell);
+    if (!entry.stated.missing.empty())
+        line.push_back(presentableInBrief(entry.stated.missing));
+    return line;
 }
 
 std::string limitsText(const HistorySeries &series)
@@ -89,9 +103,8 @@ std::string limitsText(const HistorySeries &series)
     if (!series.limits)
         return "  limits: none. " + series.whyNoLimits + '\n';
     const ControlLimits &limits = *series.limits;
-    const auto at = [&](double value) {
-        return roundedText(value, limits.sigma, presentableInBrief(series.unit));
-    };
+    const auto at
+        = [&](double value) { return roundedText(value, limits.sigma, unitOf(series.unit)); };
     return "  limits: mean " + at(limits.mean) + ", warning " + at(limits.warningLow()) + " to "
         + at(limits.warningHigh()) + ", action " + at(limits.actionLow()) + " to "
         + at(limits.actionHigh()) + '\n';
@@ -102,15 +115,17 @@ std::string driftText(const HistorySeries &series)
     if (!series.drift)
         return "  drift: none. " + series.whyNoDrift + '\n';
     const YearlyDrift &drift = *series.drift;
-    const std::string unit = presentableInBrief(series.unit);
-    return "  drift in a year: " + roundedTextWithU(drift.perYear, drift.u, unit)
+    return "  drift in a year: " + roundedTextWithU(drift.perYear, drift.u, unitOf(series.unit))
         + ", k = " + numberText(drift.k, kDigitsOfRatio) + ", of " + std::to_string(drift.count)
         + " calibrations\n";
 }
 
 std::string seriesText(const SensorHistory &history, const HistorySeries &series)
 {
-    std::vector<Line> lines{{"", "day", "value", "U", "k", "E_n", "chart", ""}};
+    const FollowedQuantity &quantity = series.quantity;
+    if (quantity.isOverFrequency() && !std::isfinite(quantity.row_Hz))
+        return '\n' + titleOf(series) + "\n  No results have a row within 3 % of it.\n";
+    std::vector<Line> lines{{"", "day", "value", "U", "k", "E_n", "chart"}};
     for (std::size_t i = 0; i < series.entries.size(); ++i)
         lines.push_back(lineOf(i, history.sensor.points[i], series.entries[i]));
     return '\n' + titleOf(series) + '\n' + columnsText(lines) + limitsText(series)

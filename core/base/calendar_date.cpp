@@ -78,7 +78,7 @@ std::optional<double> daysSince1970(std::string_view text)
         seconds = kNoon_s;
     else if (hasPattern(text, kMomentPattern))
         seconds = secondsIn(text);
-    if (!seconds || calendarDate(day) != day)
+    if (!seconds || !hasPattern(day, kDayPattern) || !dayIn(day).ok())
         return std::nullopt;
     return static_cast<double>(std::chrono::sys_days(dayIn(day)).time_since_epoch().count())
         + *seconds / kDay_s;

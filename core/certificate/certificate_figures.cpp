@@ -58,7 +58,9 @@ bool hasComparison(R r)
 
 constexpr std::array<KnownFigure, 22> kKnownFigures{{
     {"raw-dut", DYNCAL_TEXT("core", "Recordings of the item calibrated"), hasCaptures},
-    {"raw-driven-side", DYNCAL_TEXT("core", "Recordings of the sensors in the wall of the driven section"), hasCaptures},
+    {"raw-driven-side",
+        DYNCAL_TEXT("core", "Recordings of the sensors in the wall of the driven section"),
+        hasCaptures},
     {"raw-driver", DYNCAL_TEXT("core", "Recordings of the sensor in the driver section"),
         hasCaptures},
     {"responses", DYNCAL_TEXT("core", "Responses of the item, aligned at their start"), hasWindow},
@@ -83,7 +85,10 @@ constexpr std::array<KnownFigure, 22> kKnownFigures{{
     {"step", DYNCAL_TEXT("core", "Step response of the model"), hasModel},
     {"magnitude", DYNCAL_TEXT("core", "Frequency response, magnitude"), hasResponse},
     {"phase", DYNCAL_TEXT("core", "Frequency response, phase"), hasResponse},
-    {"comparison", DYNCAL_TEXT("core", "Magnitude against the reference transducer and against the pressure step, less the mean of both"), hasComparison},
+    {"comparison",
+        DYNCAL_TEXT("core",
+            "Magnitude against the reference transducer and against the pressure step, less the mean of both"),
+        hasComparison},
 }};
 
 const KnownFigure *knownFigure(const std::string &id)

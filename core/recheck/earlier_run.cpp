@@ -257,7 +257,7 @@ Result<EarlierResults> readEarlierResults(const std::string &path)
 
 Result<EarlierRun> readEarlierRun(const std::string &folder)
 {
-    Result<EarlierResults> read = readEarlierResults(folder);
+    Result<EarlierResults> read = readEarlierResults(pathIn(folder, kResultsFile));
     if (!read)
         return tl::unexpected<Error>(read.error());
     const RunJson &stated = valueAt(read->results, "recipe");

@@ -235,8 +235,7 @@ private slots:
 
     void thesisTreatment_countsTheStepAsAState()
     {
-        QVERIFY(
-            writeBytes(path("thesis.json"), R"({"input": {"treatment": "step-as-impulse"},
+        QVERIFY(writeBytes(path("thesis.json"), R"({"input": {"treatment": "step-as-impulse"},
                 "uncertainty": {"monte_carlo_trials": 100}})"));
         const Answer answer
             = runExample("thesis", {"--recipe", path("thesis.json"), "--order", "3"});

@@ -81,8 +81,10 @@ private slots:
         QTest::newRow("run, permissions") << run << "chmod o-r used.h5";
         QTest::newRow("run, appended") << run << "printf x >> used.h5";
         QTest::newRow("check, moved") << QStringList{"check", "used.h5"} << move;
-        QTest::newRow("compare, moved") << QStringList{"compare", "used.h5", "--recipe", "quick.json"} << move;
-        QTest::newRow("export, moved") << QStringList{"export", "used.h5", "--recipe", "quick.json", "-o", "out"} << move;
+        QTest::newRow("compare, moved")
+            << QStringList{"compare", "used.h5", "--recipe", "quick.json"} << move;
+        QTest::newRow("export, moved")
+            << QStringList{"export", "used.h5", "--recipe", "quick.json", "-o", "out"} << move;
         QTest::newRow("import, moved") << QStringList{"import", "used.h5", "-o", "new.h5"} << move;
     }
 

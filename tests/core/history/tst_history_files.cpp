@@ -185,8 +185,8 @@ void TestHistoryFiles::missingValue_isAnEmptyCellWithItsReason()
     QCOMPARE(second[5], std::string("5.01e-06"));
     for (const std::size_t i : {6, 7, 8, 9})
         QCOMPARE(second[i], std::string());
-    QCOMPARE(second[19 + 0], std::string()); // methods as before
-    QCOMPARE(second[20], std::string("These results state no uncertainty of it."));
+    QCOMPARE(second[18], std::string()); // methods as before
+    QCOMPARE(second[19], std::string("These results state no uncertainty of it."));
 }
 
 /// No formula, no second line, no second cell.

@@ -364,7 +364,8 @@ void TestBatchWindow::closedWhileItRuns_stopsIt()
         addSensors(bench, kSensors);
         bench.plan();
         bench.run(1);
-        QTRY_VERIFY_WITH_TIMEOUT( // of the table, which looks every two seconds, it could be the last
+        QTRY_VERIFY_WITH_TIMEOUT( // of the table, which looks every two seconds, it could be the
+                                  // last
             QFile::exists(bench.path("night.out/SN-1/calibration/batch.json")), kPatience_ms);
         bench.batch->close(); // it goes on behind the closed window
         QVERIFY(bench.batch->isBusy());
