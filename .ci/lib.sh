@@ -94,12 +94,12 @@ check_skips() {
     return 1
 }
 
-# clang-tidy (.clang-tidy) on the sources of core, ui and app: all, or with --changed those that
+# clang-tidy (.clang-tidy) on the sources of core, registry, ui and app: all, or with --changed those that
 # differ from DYNCAL_TIDY_BASE (the commit before), unless they are more than a check may wait for.
 check_tidy() {
     local base="${DYNCAL_TIDY_BASE:-HEAD~1}" most=40 sources
     cmake --preset dev > /dev/null || return 1
-    mapfile -t sources < <(git ls-files 'core/*.cpp' 'ui/*.cpp' 'app/*.cpp')
+    mapfile -t sources < <(git ls-files 'core/*.cpp' 'registry/*.cpp' 'ui/*.cpp' 'app/*.cpp')
     if [ "${1:-}" = --changed ]; then
         if ! git rev-parse --verify --quiet "$base^{commit}" > /dev/null; then
             [ -z "${DYNCAL_TIDY_BASE:-}" ] || die "There is no revision $base to compare with."
@@ -107,7 +107,7 @@ check_tidy() {
             return 0
         fi
         mapfile -t sources < <(git diff --name-only --diff-filter=d "$base" -- \
-            'core/*.cpp' 'ui/*.cpp' 'app/*.cpp' 2> /dev/null)
+            'core/*.cpp' 'registry/*.cpp' 'ui/*.cpp' 'app/*.cpp' 2> /dev/null)
         if [ ${#sources[@]} -gt "$most" ]; then
             say "${#sources[@]} sources changed: $most of them are looked at, .ci/long tidy does all"
             sources=("${sources[@]:0:most}")
