@@ -9155,16 +9155,16 @@ steget</translation>
         <translation>%1 innehåller resultat som historiken görs av; skriv den under ett annat namn.</translation>
     </message>
     <message>
-        <source>%1 does not say when the calibration was: certificate.fields.date_performed is no day, and created_utc is &quot;%2&quot; instead of a moment such as 2026-01-31T09:00:00Z; repeat the run.</source>
-        <translation>%1 säger inte när kalibreringen var: certificate.fields.date_performed är ingen dag, och created_utc är ”%2” i stället för en tidpunkt som 2026-01-31T09:00:00Z; upprepa körningen.</translation>
+        <source>%1 does not say when the calibration was: no day of calibration is stated, and the results were made at &quot;%2&quot;, which is no moment such as 2026-01-31T09:00:00Z; repeat the run.</source>
+        <translation>%1 säger inte när kalibreringen var: ingen dag för kalibreringen är angiven, och resultaten gjordes ”%2”, som inte är en tidpunkt som 2026-01-31T09:00:00Z; upprepa körningen.</translation>
     </message>
     <message>
-        <source>None of the results states the serial number of its sensor (certificate.fields.sensor_serial of the recipe), so they are nobody&apos;s history; fill it in and repeat the runs.</source>
-        <translation>Inget av resultaten anger sin givares serienummer (certificate.fields.sensor_serial i receptet), så de är ingens historik; fyll i det och upprepa körningarna.</translation>
+        <source>None of the results states the serial number of its sensor, so they are nobody&apos;s history; fill it in on the certificate and repeat the runs.</source>
+        <translation>Inget av resultaten anger sin givares serienummer, så de är ingens historik; fyll i det på beviset och upprepa körningarna.</translation>
     </message>
     <message>
-        <source>The results are of %1 sensors, and a history is of one; choose it by its serial number (--sensor): %2.</source>
-        <translation>Resultaten är av %1 givare, och en historik är av en; välj den med dess serienummer (--sensor): %2.</translation>
+        <source>The results are of %1 sensors, and a history is of one; choose it by its serial number: %2.</source>
+        <translation>Resultaten är av %1 givare, och en historik är av en; välj den med dess serienummer: %2.</translation>
     </message>
     <message>
         <source>None of the results is of a sensor with the serial number %1; there are results of %2.</source>

@@ -63,7 +63,7 @@ Result<EarlierCalibration> earlierCalibration(EarlierResults read, Index number)
         return calibration;
     return fail(ErrorKind::Usage,
         {DYNCAL_TEXT("core",
-             "%1 does not say when the calibration was: certificate.fields.date_performed is no day, and created_utc is \"%2\" instead of a moment such as 2026-01-31T09:00:00Z; repeat the run."),
+             "%1 does not say when the calibration was: no day of calibration is stated, and the results were made at \"%2\", which is no moment such as 2026-01-31T09:00:00Z; repeat the run."),
             {calibration.file, calibration.createdUtc}});
 }
 

@@ -38,12 +38,12 @@ Result<std::string> chosenSerial(const std::vector<std::string> &there, const st
     if (there.empty())
         return fail(ErrorKind::Usage,
             {DYNCAL_TEXT("core",
-                 "None of the results states the serial number of its sensor (certificate.fields.sensor_serial of the recipe), so they are nobody's history; fill it in and repeat the runs."),
+                 "None of the results states the serial number of its sensor, so they are nobody's history; fill it in on the certificate and repeat the runs."),
                 {}});
     if (asked.empty() && there.size() > 1)
         return fail(ErrorKind::Usage,
             {DYNCAL_TEXT("core",
-                 "The results are of %1 sensors, and a history is of one; choose it by its serial number (--sensor): %2."),
+                 "The results are of %1 sensors, and a history is of one; choose it by its serial number: %2."),
                 {std::to_string(there.size()), named(there)}});
     if (!asked.empty() && std::ranges::find(there, asked) == there.end())
         return fail(ErrorKind::Usage,
@@ -110,8 +110,8 @@ std::vector<EarlierCalibration> ofSensor(
         if (one.serial == sensor.serial)
             own.push_back(std::move(one));
         else if (one.serial.empty())
-            sensor.leftOut.push_back({one.file, one.number,
-                "It states no serial number (certificate.fields.sensor_serial of the recipe)."});
+            sensor.leftOut.push_back(
+                {one.file, one.number, "It states no serial number of its sensor."});
     }
     return own;
 }

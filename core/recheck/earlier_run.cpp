@@ -241,9 +241,8 @@ Result<std::vector<std::string>> runFoldersBelow(const std::string &folder)
     return found;
 }
 
-Result<EarlierResults> readEarlierResults(const std::string &path)
+static Result<EarlierResults> readAt(const ResultsPlace &place)
 {
-    const ResultsPlace place = placeOf(path);
     const Result<std::string> text = resultsText(place);
     if (!text)
         return tl::unexpected<Error>(text.error());
@@ -255,9 +254,14 @@ Result<EarlierResults> readEarlierResults(const std::string &path)
     return EarlierResults{place.path(), std::move(*results), std::move(sha256), std::move(remarks)};
 }
 
+Result<EarlierResults> readEarlierResults(const std::string &path)
+{
+    return readAt(placeOf(path));
+}
+
 Result<EarlierRun> readEarlierRun(const std::string &folder)
 {
-    Result<EarlierResults> read = readEarlierResults(pathIn(folder, kResultsFile));
+    Result<EarlierResults> read = readAt({folder, kResultsFile});
     if (!read)
         return tl::unexpected<Error>(read.error());
     const RunJson &stated = valueAt(read->results, "recipe");

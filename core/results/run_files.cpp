@@ -13,6 +13,7 @@
 #include <algorithm>
 #include <array>
 #include <filesystem>
+#include <map>
 
 namespace dyncal {
 namespace {
@@ -144,6 +145,7 @@ Result<std::vector<std::string>> writeRunFiles(
         = mayPublish(run.outcome) ? run.outcome.results : CalibrationResults();
     const std::vector<CsvFile> tables = resultsCsv(shown);
     const std::vector<ModelFile> model = modelFiles(shown);
+    const std::map<std::string, std::string> layout = keptTemplateFiles(run.chosen);
     const Recipe kept = withKeptTemplate(run.recipe, run.chosen);
     const std::string recipe = recipeJson(kept);
     const std::string json = resultsJson(run.outcome, kept, run.createdUtc);
@@ -151,7 +153,7 @@ Result<std::vector<std::string>> writeRunFiles(
     keepSource(run.recipe.chain, files);
     if (run.recipe.comparison.enabled)
         keepSource(run.recipe.comparison, files);
-    for (const auto &[name, bytes] : keptTemplateFiles(run.chosen))
+    for (const auto &[name, bytes] : layout)
         files.push_back({name, bytes});
     for (const CsvFile &table : tables)
         files.push_back({"csv/" + table.name, table.text});

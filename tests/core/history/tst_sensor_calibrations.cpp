@@ -103,7 +103,7 @@ void TestSensorCalibrations::severalSensors_areNamed()
     QCOMPARE(none.error().kind, ErrorKind::Usage);
     const std::string sentence = english(none.error().message);
     QVERIFY2(sentence.find("of 2 sensors") != std::string::npos, sentence.c_str());
-    QVERIFY2(sentence.find("(--sensor): A 1, B 2.") != std::string::npos, sentence.c_str());
+    QVERIFY2(sentence.find("serial number: A 1, B 2.") != std::string::npos, sentence.c_str());
     QCOMPARE(filesOf(taken(made, "B 2").points), std::string("0 2"));
     QVERIFY(taken(made, "B 2").leftOut.empty()); // of others nothing is said
 }
@@ -132,7 +132,7 @@ void TestSensorCalibrations::withoutSerial_isLeftOutAndSaid()
         = taken({{.day = "2025-01-01"}, {.day = "2025-02-01", .serial = "  "}});
     QCOMPARE(filesOf(found.points), std::string("0"));
     QCOMPARE(filesOf(found.leftOut), std::string("1"));
-    QVERIFY(found.leftOut[0].reason.find("sensor_serial") != std::string::npos);
+    QVERIFY(found.leftOut[0].reason.find("serial number") != std::string::npos);
 }
 
 void TestSensorCalibrations::noneWithSerial_isRefused()
