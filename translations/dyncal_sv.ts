@@ -13749,8 +13749,8 @@ steget</translation>
         <translation>Utan skott, modell och figurer.</translation>
     </message>
     <message>
-        <source>Research annex</source>
-        <translation>Forskningsbilaga</translation>
+        <source>Research</source>
+        <translation>Forskning</translation>
     </message>
     <message>
         <source>With every figure there is.</source>

@@ -5,7 +5,6 @@
 #include "tests/support/trial_count.h"
 #include "tests/system/dyncal_process.h"
 #include "tests/system/window_process.h"
-#include "tests/system/written_project.h"
 
 #include <QDir>
 #include <QElapsedTimer>
@@ -35,7 +34,6 @@ private:
     QString capture() const { return path("shot.h5"); }
     QString table() const { return path("shot.csv"); }
     QString quick() const { return path("quick.json"); } ///< the Monte Carlo takes longest
-    QString project() const { return path("quick.dyncal"); }
 
     /// One sentence about memory.
     static bool saysMemory(const QByteArray &err)
@@ -97,7 +95,7 @@ private:
     /// What the window says in the end of an export under this limit; "" if it has died.
     QString exportAt(std::uint64_t limit_MiB)
     {
-        WindowProcess window(path("home"), {project()}, limit_MiB * kMiB);
+        WindowProcess window(path("home"), {capture()}, limit_MiB * kMiB);
         return exportIn(window);
     }
 
@@ -172,9 +170,7 @@ private slots:
                 + QByteArray::number(clean + 0.002 * std::sin(12.9898 * i * i), 'f', 9) + '\n';
         }
         QVERIFY(writeBytes(table(), text));
-        const QJsonObject few{{"uncertainty", QJsonObject{{"monte_carlo_trials", 100}}}};
-        QVERIFY(writeBytes(quick(), QJsonDocument(few).toJson()));
-        QVERIFY(writeProject(project(), {capture()}, few));
+        QVERIFY(writeBytes(quick(), R"({"uncertainty": {"monte_carlo_trials": 100}})"));
         m_lowest_MiB = smallest_MiB(1, answersItsVersion);
         qInfo("--version starts from %d MiB on", int(m_lowest_MiB));
     }
@@ -242,7 +238,7 @@ private slots:
         QVERIFY(QFile::exists(qEnvironmentVariable("DYNCAL_FEW_THREADS")));
         int refused = 0, done = 0;
         for (int threads = 0; done < 2; ++threads) {
-            WindowProcess window(path("home"), {project()}, 0,
+            WindowProcess window(path("home"), {capture()}, 0,
                 {"ASAN_OPTIONS=detect_leaks=0:verify_asan_link_order=0", // where it is so built
                     "LD_PRELOAD=" + qEnvironmentVariable("DYNCAL_FEW_THREADS"),
                     "DYNCAL_THREADS=" + QString::number(threads)});

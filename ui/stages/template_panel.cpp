@@ -46,7 +46,7 @@ constexpr std::array<BuiltInWords, 4> kBuiltIn{{
         QT_TRANSLATE_NOOP("dyncal::TemplatePanel", "With all figures of the method.")},
     {"short", QT_TRANSLATE_NOOP("dyncal::TemplatePanel", "Short"),
         QT_TRANSLATE_NOOP("dyncal::TemplatePanel", "Without shots, model and figures.")},
-    {"research", QT_TRANSLATE_NOOP("dyncal::TemplatePanel", "Research annex"),
+    {"research", QT_TRANSLATE_NOOP("dyncal::TemplatePanel", "Research"),
         QT_TRANSLATE_NOOP("dyncal::TemplatePanel", "With every figure there is.")},
 }};
 

@@ -80,7 +80,7 @@ void TestEarlierCalibration::withoutAnyTime_isRefused()
         QCOMPARE(none.error().kind, ErrorKind::Usage);
         const std::string sentence = english(none.error().message);
         QVERIFY(sentence.starts_with("a/results.json does not say when"));
-        QVERIFY(sentence.find("date_performed") != std::string::npos);
+        QVERIFY(sentence.find("no day of calibration") != std::string::npos);
     }
 }
 

@@ -49,12 +49,13 @@ inline void click(const QPointer<QWidget> &widget, Qt::MouseButton button, QPoin
         QTest::mouseRelease(widget, button, {}, at);
 }
 
+/// A field that is disabled by what Return has started gets no key any more either.
 inline void strike(
     const QPointer<QWidget> &widget, Qt::Key key, Qt::KeyboardModifiers modifiers = {})
 {
-    if (widget)
+    if (widget && widget->isEnabled())
         QTest::keyPress(widget, key, modifiers);
-    if (widget)
+    if (widget && widget->isEnabled())
         QTest::keyRelease(widget, key, modifiers);
 }
 

@@ -6,8 +6,7 @@
 #include "ui/shell/registry/registry_caller.h"
 #include "ui/shell/registry/registry_rows.h"
 #include "ui/shell/registry/rows_view.h"
-
-#include "core/base/foreign_text.h"
+#include "ui/text/shown_text.h"
 
 #include <QJsonDocument>
 #include <QJsonObject>
@@ -25,8 +24,11 @@ QString linesOf(const QString &row)
 {
     const QByteArray json = row.toUtf8();
     const QJsonDocument document = QJsonDocument::fromJson(json);
-    const QByteArray lines = document.isNull() ? json : document.toJson(QJsonDocument::Indented);
-    return QString::fromStdString(presentable(lines.toStdString(), LineBreaks::Keep));
+    const QByteArray text = document.isNull() ? json : document.toJson(QJsonDocument::Indented);
+    QStringList lines;
+    for (const QByteArray &line : text.split('\n'))
+        lines << shownText(QString::fromUtf8(line));
+    return lines.join('\n');
 }
 
 } // namespace
