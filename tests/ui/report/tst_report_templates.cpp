@@ -155,7 +155,8 @@ private slots:
             QVERIFY(first.contains("SN-0042") && first.contains("Damping ratio"));
             const bool isImage = said(pdf, "pdfimages", {"-list", "FILE"}).contains("image");
             QCOMPARE(isImage, !chosen.layout.logo.ends_with(".svg"));
-            // No transparency: every page switches masks off ("/SMask /None"), and no image has one.
+            // No transparency: every page switches masks off ("/SMask /None"), and no image has
+            // one.
             const QByteArray bytes = QByteArray::fromStdString(pdf);
             QCOMPARE(bytes.count("/SMask"), bytes.count("/SMask /None"));
         }
