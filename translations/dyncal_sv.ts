@@ -13725,12 +13725,12 @@ steget</translation>
         <translation>Välj %1</translation>
     </message>
     <message>
-        <source>Accredited</source>
-        <translation>Ackrediterad</translation>
+        <source>Standard</source>
+        <translation>Standard</translation>
     </message>
     <message>
-        <source>The usual certificate.</source>
-        <translation>Det vanliga beviset.</translation>
+        <source>The certificate of an accredited laboratory.</source>
+        <translation>Beviset från ett ackrediterat laboratorium.</translation>
     </message>
     <message>
         <source>Full</source>

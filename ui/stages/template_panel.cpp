@@ -40,8 +40,8 @@ struct BuiltInWords
 };
 
 constexpr std::array<BuiltInWords, 4> kBuiltIn{{
-    {"accredited", QT_TRANSLATE_NOOP("dyncal::TemplatePanel", "Accredited"),
-        QT_TRANSLATE_NOOP("dyncal::TemplatePanel", "The usual certificate.")},
+    {"accredited", QT_TRANSLATE_NOOP("dyncal::TemplatePanel", "Standard"),
+        QT_TRANSLATE_NOOP("dyncal::TemplatePanel", "The certificate of an accredited laboratory.")},
     {"full", QT_TRANSLATE_NOOP("dyncal::TemplatePanel", "Full"),
         QT_TRANSLATE_NOOP("dyncal::TemplatePanel", "With all figures of the method.")},
     {"short", QT_TRANSLATE_NOOP("dyncal::TemplatePanel", "Short"),

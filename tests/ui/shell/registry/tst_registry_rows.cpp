@@ -84,7 +84,8 @@ private slots:
                 {"utc", QString::fromStdString(text)}, {"who", QString::fromStdString(text)},
                 {"action", QString::fromStdString(text)}, {"object", QString::fromStdString(text)},
                 {"reason", QString::fromStdString(text)}}};
-            for (const QVariant &cell : trailRows(list).front())
+            const auto rows = trailRows(list);
+            for (const QVariant &cell : rows.front())
                 QVERIFY2(test::isFitToShow(cell.toString().toStdString()), text.c_str());
         }
     }
