@@ -3,6 +3,8 @@
 
 #include "ui/shell/batch/batch_table.h"
 
+#include "ui/stages/frame/rows_table.h"
+
 #include <QComboBox>
 #include <QHBoxLayout>
 #include <QHeaderView>
@@ -46,16 +48,7 @@ void BatchTable::buildView()
 {
     m_view->setObjectName("batchTable");
     m_view->setModel(&m_filter);
-    m_view->setSelectionBehavior(QAbstractItemView::SelectRows);
-    m_view->setSelectionMode(QAbstractItemView::SingleSelection);
-    m_view->setEditTriggers(QAbstractItemView::NoEditTriggers);
-    m_view->setAlternatingRowColors(true);
-    m_view->setTabKeyNavigation(false);
-    m_view->setWordWrap(false);
-    m_view->verticalHeader()->hide();
-    m_view->horizontalHeader()->setHighlightSections(false);
-    m_view->horizontalHeader()->setStretchLastSection(true);
-    m_view->setSortingEnabled(true);
+    showAsRows(*m_view);
     m_view->sortByColumn(BatchModel::State, Qt::AscendingOrder);
     for (int column = 0; column < BatchModel::kColumns; ++column)
         m_view->setColumnWidth(

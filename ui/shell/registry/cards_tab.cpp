@@ -10,7 +10,6 @@
 #include "ui/text/shown_text.h"
 
 #include <QComboBox>
-#include <QFile>
 #include <QFileInfo>
 #include <QHBoxLayout>
 #include <QHeaderView>
@@ -25,7 +24,6 @@
 #include <QVBoxLayout>
 
 #include <array>
-#include <memory>
 
 namespace dyncal {
 
@@ -228,16 +226,15 @@ bool CardsTab::isChanged() const
 
 void CardsTab::keep()
 {
-    QTemporaryFile file;
-    file.setFileTemplate(file.fileTemplate() + ".json");
-    file.setAutoRemove(false); // the command reads it
-    if (!file.open() || file.write(QJsonDocument(typed()).toJson()) < 0 || !file.flush()) {
+    const auto file = std::make_shared<QTemporaryFile>();
+    file->setFileTemplate(file->fileTemplate() + ".json");
+    if (!file->open() || file->write(QJsonDocument(typed()).toJson()) < 0 || !file->flush()) {
         m_prompts.showProblem(this,
             tr("The changes could not be written to a temporary file: %1.")
-                .arg(file.errorString()));
+                .arg(file->errorString()));
         return;
     }
-    putIn(file.fileName());
+    putIn(file->fileName(), file);
 }
 
 void CardsTab::importTable()
@@ -248,20 +245,15 @@ void CardsTab::importTable()
         putIn(path);
 }
 
-/// A file of ours goes once it was read.
-void CardsTab::putIn(const QString &file)
+/// A file of ours is there until it was read.
+void CardsTab::putIn(const QString &file, const std::shared_ptr<QTemporaryFile> &ours)
 {
-    const bool isOurs = file.endsWith(".json");
-    const auto drop = std::shared_ptr<void>(nullptr, [file, isOurs](void *) {
-        if (isOurs)
-            QFile::remove(file);
-    });
     const auto reason
         = m_prompts.sentence(this, tr("Change cards"), tr("Why, for the audit trail:"));
     if (!reason)
         return;
     m_caller.call({"registry", "import", kind(), file, "--reason=" + *reason},
-        [this, drop](const ProgramAnswer &) {
+        [this, ours](const ProgramAnswer &) {
             read();
             emit changed(tr("The cards are kept."));
         });

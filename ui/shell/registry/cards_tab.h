@@ -6,10 +6,13 @@
 #include <QJsonArray>
 #include <QWidget>
 
+#include <memory>
+
 class QComboBox;
 class QLineEdit;
 class QPushButton;
 class QTableWidget;
+class QTemporaryFile;
 
 namespace dyncal {
 
@@ -48,7 +51,7 @@ private:
     void filter();
     void showButtons();
     QJsonArray typed() const; ///< the cards as they stand in the table, named ones only
-    void putIn(const QString &file);
+    void putIn(const QString &file, const std::shared_ptr<QTemporaryFile> &ours = {});
 
     RegistryCaller &m_caller;
     Prompts &m_prompts;

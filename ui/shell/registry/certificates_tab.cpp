@@ -70,7 +70,7 @@ void CertificatesTab::showButtons()
 {
     const QString state = selectedState();
     const bool isFree = !m_caller.isBusy();
-    m_withdraw->setEnabled(isFree && (state == "issued" || state == "amended"));
+    m_withdraw->setEnabled(isFree && isInForce(state));
     m_giveUp->setEnabled(isFree && state == "reserved");
 }
 

@@ -8,7 +8,6 @@
 #include "ui/shell/files/file_actions.h"
 #include "ui/shell/preferences/preferences.h"
 #include "ui/shell/registry/registry_rows.h"
-#include "ui/shell/registry/remembered_address.h"
 #include "ui/stages/frame/prompts.h"
 #include "ui/text/finding_text.h"
 #include "ui/text/shown_text.h"
@@ -59,11 +58,11 @@ IssueDialog::IssueDialog(Session &session, CurrentUtc currentUtc, FileActions &f
     , m_files(files)
     , m_prompts(prompts)
     , m_preferences(preferences)
-    , m_caller(this)
+    , m_caller(preferences, this)
     , m_state(new QLabel(this))
     , m_folder(line("issueFolder", preferences.issuing(Issuing::Folder), this))
     , m_choose(button("issueChoose", this))
-    , m_registry(line("issueRegistry", preferences.issuing(Issuing::Registry), this))
+    , m_registry(line("issueRegistry", m_caller.address(), this))
     , m_by(line("issueBy", preferences.issuing(Issuing::By), this))
     , m_reviewedBy(line("issueReviewedBy", {}, this))
     , m_reason(line("issueReason", {}, this))
@@ -99,7 +98,6 @@ IssueDialog::IssueDialog(Session &session, CurrentUtc currentUtc, FileActions &f
     column->addLayout(buttons);
     followChanges();
     resize(kFirstSize);
-    m_caller.setAddress(m_registry->text());
     showCertificate();
 }
 
@@ -114,7 +112,7 @@ void IssueDialog::followChanges()
     for (const auto signal : {&Session::resultsChanged, &Session::recipeChanged,
              &Session::capturesChanged, &Session::sourcesChanged, &Session::stageStatusChanged})
         connect(&m_session, signal, this, &IssueDialog::showObstacles);
-    connect(&m_caller, &RegistryCaller::busyChanged, this, &IssueDialog::showObstacles);
+    connect(&m_caller, &RegistryCaller::busyChanged, this, &IssueDialog::showWork);
     connect(&m_caller, &RegistryCaller::failed, m_outcome, &QLabel::setText);
 }
 
@@ -168,10 +166,16 @@ void IssueDialog::showObstacles()
         m_obstacles->addItem(tr("Name the folder of certificates."));
     if (m_inForce > 0 && m_reason->text().trimmed().isEmpty())
         m_obstacles->addItem(tr("Say what changed, for the amendment."));
-    m_issue->setEnabled(m_obstacles->count() == 0 && !isBusy());
-    if (m_obstacles->count() == 0)
+    m_isFree = m_obstacles->count() == 0;
+    if (m_isFree)
         m_obstacles->addItem(tr("Nothing keeps it from being issued."));
     m_by->setPlaceholderText(shownText(issuerOf(m_session.recipe(), given)));
+    showWork();
+}
+
+void IssueDialog::showWork()
+{
+    m_issue->setEnabled(m_isFree && !isBusy());
     m_progress->setVisible(isBusy());
 }
 
@@ -184,9 +188,7 @@ void IssueDialog::lookUp()
     const QString job = rawText(jobOf(*m_session.state().captures));
     m_caller.call({"registry", "list", "--json"}, [this, job](const ProgramAnswer &answer) {
         for (const QJsonValue &record : listOf(answer.out)) {
-            const QString state = record["state"].toString();
-            const bool isInForce = state == "issued" || state == "amended";
-            if (record["job"].toString() == job && isInForce)
+            if (record["job"].toString() == job && isInForce(record["state"].toString()))
                 m_inForce = record["number"].toInteger();
         }
         showCertificate();
@@ -207,12 +209,8 @@ void IssueDialog::showCertificate()
 
 void IssueDialog::useAddress()
 {
-    const QString address = m_registry->text().trimmed();
-    if (address == m_caller.address())
-        return;
-    m_caller.setAddress(address);
-    m_preferences.setIssuing(Issuing::Registry, withoutPassword(address));
-    lookUp();
+    if (m_caller.useAddress(m_registry->text()))
+        lookUp();
 }
 
 void IssueDialog::askForFolder()

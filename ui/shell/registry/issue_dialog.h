@@ -44,6 +44,7 @@ private:
     void followChanges();
     IssueNames names() const;
     void showObstacles();
+    void showWork(); ///< what can be done now
     void showCertificate();
     void useAddress();
     void askForFolder();
@@ -57,6 +58,7 @@ private:
     Prompts &m_prompts;
     Preferences &m_preferences;
     RegistryCaller m_caller;
+    bool m_isFree = false; ///< of obstacles
     qint64 m_inForce = 0; ///< number of the job's certificate; 0: it has none
     QLabel *m_state;
     QLineEdit *m_folder;

@@ -3,14 +3,38 @@
 
 #include "ui/shell/registry/registry_caller.h"
 
+#include "ui/shell/preferences/preferences.h"
+
 #include <QCoreApplication>
+#include <QUrl>
 
 namespace dyncal {
 
-RegistryCaller::RegistryCaller(QObject *parent)
-    : QObject(parent)
-    , m_program(QCoreApplication::applicationFilePath())
+QString withoutPassword(const QString &address)
 {
+    if (!address.contains(QLatin1String("://")))
+        return address;
+    QUrl url(address);
+    url.setPassword({});
+    return url.toString();
+}
+
+RegistryCaller::RegistryCaller(Preferences &preferences, QObject *parent)
+    : QObject(parent)
+    , m_preferences(preferences)
+    , m_program(QCoreApplication::applicationFilePath())
+    , m_address(preferences.issuing(Preferences::Issuing::Registry))
+{
+}
+
+bool RegistryCaller::useAddress(const QString &typed)
+{
+    const QString address = typed.trimmed();
+    if (address == m_address)
+        return false;
+    m_address = address;
+    m_preferences.setIssuing(Preferences::Issuing::Registry, withoutPassword(address));
+    return true;
 }
 
 void RegistryCaller::call(QStringList arguments, const Then &then)
@@ -34,12 +58,6 @@ void RegistryCaller::finish(ProgramCall *call, const ProgramAnswer &answer, cons
         emit failed(problem);
     else if (!answer.isStopped)
         then(answer);
-}
-
-void RegistryCaller::stop()
-{
-    for (ProgramCall *call : findChildren<ProgramCall *>())
-        call->stop();
 }
 
 } // namespace dyncal

@@ -128,6 +128,11 @@ QString certificateStateText(const QString &state)
     return wordOf(kStates, state);
 }
 
+bool isInForce(const QString &state)
+{
+    return state == QLatin1String("issued") || state == QLatin1String("amended");
+}
+
 QString timeText(const QString &utc)
 {
     return shownText(utc).replace('T', ' ').remove('Z');

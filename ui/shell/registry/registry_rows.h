@@ -3,8 +3,6 @@
 
 #pragma once
 
-#include "core/base/index.h"
-
 #include <QByteArray>
 #include <QJsonArray>
 #include <QString>
@@ -32,6 +30,9 @@ std::vector<QVariantList> verifiedRows(const QJsonArray &verified);
 
 /// "issued", "replaced", ... in the language of the window.
 QString certificateStateText(const QString &state);
+
+/// Whether the laboratory stands by a certificate of this state: issued, or as an amendment.
+bool isInForce(const QString &state);
 
 /// "2026-01-31 12:00:00" for a time of the registry (UTC); "" for none.
 QString timeText(const QString &utc);

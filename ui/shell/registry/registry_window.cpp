@@ -6,7 +6,6 @@
 #include "ui/shell/preferences/preferences.h"
 #include "ui/shell/registry/cards_tab.h"
 #include "ui/shell/registry/certificates_tab.h"
-#include "ui/shell/registry/remembered_address.h"
 #include "ui/shell/registry/trail_tab.h"
 #include "ui/shell/registry/verify_tab.h"
 #include "ui/stages/frame/prompts.h"
@@ -32,7 +31,7 @@ RegistryWindow::RegistryWindow(Prompts &prompts, Preferences &preferences, QWidg
     : QDialog(parent, Qt::Window)
     , m_prompts(prompts)
     , m_preferences(preferences)
-    , m_caller(this)
+    , m_caller(preferences, this)
     , m_addressLabel(new QLabel(this))
     , m_address(new QLineEdit(this))
     , m_choose(new QPushButton(this))
@@ -47,7 +46,7 @@ RegistryWindow::RegistryWindow(Prompts &prompts, Preferences &preferences, QWidg
 {
     setObjectName("registryWindow");
     m_address->setObjectName("registryAddress");
-    m_address->setText(m_preferences.issuing(Preferences::Issuing::Registry));
+    m_address->setText(m_caller.address());
     m_addressLabel->setBuddy(m_address);
     m_choose->setObjectName("registryChoose");
     m_refresh->setObjectName("registryRefresh");
@@ -86,7 +85,6 @@ RegistryWindow::RegistryWindow(Prompts &prompts, Preferences &preferences, QWidg
     connect(m_cards, &CardsTab::changed, this, follow);
     resize(kFirstSizeOfWindow);
     showWords();
-    m_caller.setAddress(m_address->text());
 }
 
 void RegistryWindow::showWords()
@@ -118,12 +116,8 @@ void RegistryWindow::refresh()
 
 void RegistryWindow::useAddress()
 {
-    const QString address = m_address->text().trimmed();
-    if (address == m_caller.address())
-        return;
-    m_caller.setAddress(address);
-    m_preferences.setIssuing(Preferences::Issuing::Registry, withoutPassword(address));
-    refresh();
+    if (m_caller.useAddress(m_address->text()))
+        refresh();
 }
 
 void RegistryWindow::askForFile()

@@ -3,6 +3,8 @@
 
 #include "ui/shell/registry/rows_view.h"
 
+#include "ui/stages/frame/rows_table.h"
+
 #include <QHBoxLayout>
 #include <QHeaderView>
 #include <QLabel>
@@ -32,16 +34,7 @@ RowsView::RowsView(const QString &name, QWidget *parent)
     m_count->setObjectName(name + "Count");
     m_view->setObjectName(name);
     m_view->setModel(&m_filter);
-    m_view->setSelectionBehavior(QAbstractItemView::SelectRows);
-    m_view->setSelectionMode(QAbstractItemView::SingleSelection);
-    m_view->setEditTriggers(QAbstractItemView::NoEditTriggers);
-    m_view->setAlternatingRowColors(true);
-    m_view->setTabKeyNavigation(false);
-    m_view->setWordWrap(false);
-    m_view->setSortingEnabled(true);
-    m_view->verticalHeader()->hide();
-    m_view->horizontalHeader()->setHighlightSections(false);
-    m_view->horizontalHeader()->setStretchLastSection(true);
+    showAsRows(*m_view);
     m_view->horizontalHeader()->setMaximumSectionSize(
         kWidestColumn_chars * fontMetrics().averageCharWidth());
     auto *line = new QHBoxLayout;

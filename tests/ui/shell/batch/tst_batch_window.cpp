@@ -10,9 +10,8 @@
 #include "tests/ui/shell/window_bench.h"
 #include "tests/ui/support/event_loop_watchdog.h"
 #include "tests/ui/support/in_swedish.h"
-#include "tests/ui/support/layout_faults.h"
+#include "tests/ui/support/window_grounds.h"
 #include "ui/shell/batch/batch_window.h"
-#include "ui/shell/preferences/theme_style.h"
 
 #include <QDialog>
 #include <QDir>
@@ -32,7 +31,6 @@ namespace {
 
 constexpr int kPatience_ms = 240'000;
 constexpr qint64 kLongestWork_ms = 200; ///< of the window's thread between two beats
-constexpr int kSettle_ms = 100; ///< for words and layouts that come by the event loop
 constexpr const char *kEpoch = "1769860800"; ///< the clock of WindowBench
 
 /// The main window with the window of batches, and a folder of recordings.
@@ -106,25 +104,6 @@ struct Bench : test::WindowBench
         return runDyncal(QStringList("batch") + words, {QString("SOURCE_DATE_EPOCH=") + kEpoch});
     }
 };
-
-/// What cannot be read of a window on every ground; DYNCAL_SHOTS=FOLDER keeps pictures.
-QString faultsOf(QWidget &window, const Language &language)
-{
-    QStringList faults;
-    const QString shots = qEnvironmentVariable("DYNCAL_SHOTS");
-    for (const ThemeKind theme : {ThemeKind::Light, ThemeKind::Dark, ThemeKind::HighContrast}) {
-        useTheme(theme);
-        QTest::qWait(kSettle_ms);
-        const test::LayoutFaults found(window);
-        faults += found.found();
-        if (!shots.isEmpty())
-            window.grab().save(
-                QString("%1/%2-%3-%4.png")
-                    .arg(shots, window.objectName(), themeName(theme), language.code()));
-    }
-    useTheme(ThemeKind::Light);
-    return faults.join('\n');
-}
 
 } // namespace
 
@@ -243,7 +222,7 @@ void TestBatchWindow::night_goodClippedAndCorrupt_asTheCommandLineDoes()
     QCOMPARE(fileBytes(bench.path("window.csv")), fileBytes(bench.path("line.csv")));
     for (const char *code : {"sv", "en"}) {
         bench.language.install(code);
-        QCOMPARE(faultsOf(*bench.batch, bench.language), QString());
+        QCOMPARE(test::faultsOnEveryGround(*bench.batch, bench.language), QString());
     }
     // What the window computed is complete for the command line.
     QVERIFY(bench.commandLine({"run", bench.path("night.jsonl")}).out.endsWith("kept 6\n"));
@@ -450,7 +429,7 @@ void TestBatchWindow::planDialog_asksForPaths()
         QCOMPARE(edit->text(), path);
     }
     QVERIFY(bench.button("batchMakePlan")->isEnabled());
-    QCOMPARE(faultsOf(*dialog, bench.language), QString());
+    QCOMPARE(test::faultsOnEveryGround(*dialog, bench.language), QString());
     dialog->reject();
     QTRY_VERIFY(!bench.window->findChild<QDialog *>("batchPlanDialog"));
     QVERIFY(!bench.batch->isBusy());

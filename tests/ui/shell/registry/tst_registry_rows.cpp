@@ -3,8 +3,8 @@
 
 #include "tests/support/hostile_text.h"
 #include "tests/support/test_program.h"
+#include "ui/shell/registry/registry_caller.h"
 #include "ui/shell/registry/registry_rows.h"
-#include "ui/shell/registry/remembered_address.h"
 #include "ui/shell/registry/rows_view.h"
 
 #include <QJsonDocument>

@@ -9,8 +9,7 @@
 #include "tests/system/issued_job.h"
 #include "tests/ui/shell/window_bench.h"
 #include "tests/ui/support/event_loop_watchdog.h"
-#include "tests/ui/support/layout_faults.h"
-#include "ui/shell/preferences/theme_style.h"
+#include "tests/ui/support/window_grounds.h"
 #include "ui/shell/registry/issue_dialog.h"
 #include "ui/shell/registry/registry_window.h"
 
@@ -33,7 +32,6 @@ namespace {
 
 constexpr int kPatience_ms = 120'000;
 constexpr qint64 kLongestWork_ms = 200;
-constexpr int kSettle_ms = 100;
 
 /// The main window with a laboratory's folder and the registry in it.
 struct Bench : test::WindowBench
@@ -101,24 +99,6 @@ struct Bench : test::WindowBench
         find<QTableWidget>("cardTable")->item(row, column)->setText(text);
     }
 };
-
-/// What cannot be read of a window on every ground; DYNCAL_SHOTS=FOLDER keeps pictures.
-QString faultsOf(QWidget &window, const Language &language)
-{
-    QStringList faults;
-    const QString shots = qEnvironmentVariable("DYNCAL_SHOTS");
-    for (const ThemeKind theme : {ThemeKind::Light, ThemeKind::Dark, ThemeKind::HighContrast}) {
-        useTheme(theme);
-        QTest::qWait(kSettle_ms);
-        faults += test::LayoutFaults(window).found();
-        if (!shots.isEmpty())
-            window.grab().save(
-                QString("%1/%2-%3-%4.png")
-                    .arg(shots, window.objectName(), themeName(theme), language.code()));
-    }
-    useTheme(ThemeKind::Light);
-    return faults.join('\n');
-}
 
 } // namespace
 
@@ -283,6 +263,16 @@ void TestRegistryWindow::cards_areEditedAndSearched()
     bench.button("cardExport")->click();
     bench.waitForRegistry();
     QCOMPARE(fileBytes(bench.path("out.csv")), csv);
+
+    // A file of the operator's own stays, whatever its name.
+    const QByteArray mine = R"([{"name": "Mine", "fields": {}}])";
+    QVERIFY(writeBytes(bench.path("mine.json"), mine));
+    bench.prompts.setNextFile(bench.path("mine.json"));
+    bench.prompts.setNextSentence("from another registry");
+    bench.button("cardImport")->click();
+    bench.waitForRegistry();
+    QTRY_COMPARE(table->rowCount(), 4);
+    QCOMPARE(fileBytes(bench.path("mine.json")), mine);
 }
 
 void TestRegistryWindow::cardsThatCannotBeTaken_areSaid()
@@ -341,13 +331,13 @@ void TestRegistryWindow::everythingFits()
     for (const char *code : {"sv", "en"}) {
         bench.language.install(code);
         bench.showIssuing();
-        QCOMPARE(faultsOf(*bench.issuing, bench.language), QString());
+        QCOMPARE(test::faultsOnEveryGround(*bench.issuing, bench.language), QString());
         delete bench.issuing;
         bench.showRegistry();
         for (int tab = 0; tab < 4; ++tab) {
             bench.find<QTabWidget>("registryTabs")->setCurrentIndex(tab);
             bench.registry->setObjectName(QString("registryWindow"));
-            QCOMPARE(faultsOf(*bench.registry, bench.language), QString());
+            QCOMPARE(test::faultsOnEveryGround(*bench.registry, bench.language), QString());
         }
     }
 }
