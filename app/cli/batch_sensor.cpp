@@ -10,7 +10,6 @@
 #include "core/base/allowed_threads.h"
 #include "core/batch/planned_inputs.h"
 #include "core/batch/sensor_place.h"
-#include "core/project/template_choice.h"
 
 #include <fcntl.h>
 #include <unistd.h>
@@ -69,10 +68,9 @@ Result<SensorAnswer> broughtUpToPlan(const PlannedSensor &sensor)
     const Result<std::vector<std::string>> paths = plannedPaths(".", sensor);
     if (!paths)
         return tl::unexpected<Error>(paths.error());
-    Result<Recipe> recipe = plannedRecipe(sensor);
+    const Result<Recipe> recipe = plannedRecipe(sensor);
     if (!recipe)
         return tl::unexpected<Error>(recipe.error());
-    locateTemplate(sensor.recipe, *recipe);
     const Result<std::string> aside = setDamagedAside(sensor.output);
     if (!aside)
         return tl::unexpected<Error>(aside.error());

@@ -11,7 +11,6 @@
 #include "core/base/json_text.h"
 #include "core/batch/batch_plan.h"
 #include "core/batch/planned_inputs.h"
-#include "core/project/template_choice.h"
 
 #include <filesystem>
 #include <iostream>
@@ -29,10 +28,9 @@ Result<ProjectState> plannedJob(const PlannedSensor &sensor)
     const Result<std::vector<std::string>> paths = plannedPaths(".", sensor);
     if (!paths)
         return tl::unexpected<Error>(paths.error());
-    Result<Recipe> recipe = plannedRecipe(sensor);
+    const Result<Recipe> recipe = plannedRecipe(sensor);
     if (!recipe)
         return tl::unexpected<Error>(recipe.error());
-    locateTemplate(sensor.recipe, *recipe);
     Result<CaptureSet> set = readForCalibration({sensor.source}, *recipe);
     if (!set)
         return tl::unexpected<Error>(set.error());

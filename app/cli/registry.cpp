@@ -13,6 +13,7 @@
 #include "registry/cards/card_register.h"
 #include "registry/certificates/certificate_register.h"
 #include "registry/store/trail_table.h"
+#include "registry/trail/audit_file.h"
 
 #include <fstream>
 #include <iostream>
@@ -29,12 +30,14 @@ struct RegistryOptions
     bool json = false;
 };
 
-nlohmann::json jsonOf(const std::vector<CertificateRecord> &records)
+nlohmann::json jsonOf(const CertificateRecord &record)
 {
-    nlohmann::json list = nlohmann::json::array();
-    for (const CertificateRecord &record : records)
-        list.push_back(nlohmann::json::parse(recordJson(record)));
-    return list;
+    return nlohmann::json::parse(recordJson(record));
+}
+
+nlohmann::json jsonOf(const AuditEntry &entry)
+{
+    return entryJson(entry);
 }
 
 std::string lineOf(const CertificateRecord &record)
@@ -46,20 +49,49 @@ std::string lineOf(const CertificateRecord &record)
     return line + '\n';
 }
 
-int list(const RegistryOptions &options)
+std::string lineOf(const AuditEntry &entry)
+{
+    std::string line = std::to_string(entry.sequence) + "  " + entry.utc;
+    for (const std::string &text : {entry.who, entry.action, entry.object, entry.reason})
+        line += text.empty() ? "" : "  " + presentableInBrief(text);
+    return line + '\n';
+}
+
+template <typename Row>
+std::string textOf(const std::vector<Row> &rows, bool json)
+{
+    nlohmann::json list = nlohmann::json::array();
+    std::string lines;
+    for (const Row &row : rows)
+        if (json)
+            list.push_back(jsonOf(row));
+        else
+            lines += lineOf(row);
+    return json ? jsonText(list) : lines;
+}
+
+std::string textOf(const std::vector<Card> &cards, bool json)
+{
+    return json ? cardsJson(cards) : cardsCsv(cards);
+}
+
+/// Prints what `read` takes from the registry; nothing of it is made or changed.
+template <typename Read>
+int show(const RegistryOptions &options, const Read &read)
 {
     Result<CertificateRegister> registry = CertificateRegister::openToRead(options.registry);
     if (!registry)
         return report(registry.error());
-    const auto records = registry->all();
-    if (!records)
-        return report(records.error());
-    if (options.json)
-        std::cout << jsonText(jsonOf(*records));
-    for (const CertificateRecord &record : *records)
-        if (!options.json)
-            std::cout << lineOf(record);
+    const auto found = read(*registry);
+    if (!found)
+        return report(found.error());
+    std::cout << textOf(*found, options.json);
     return static_cast<int>(ExitCode::Done);
+}
+
+int list(const RegistryOptions &options)
+{
+    return show(options, [](CertificateRegister &registry) { return registry.all(); });
 }
 
 int makeVoid(const RegistryOptions &options)
@@ -74,54 +106,20 @@ int makeVoid(const RegistryOptions &options)
     return static_cast<int>(ExitCode::Done);
 }
 
-nlohmann::json jsonOf(const AuditEntry &entry)
-{
-    return {{"sequence", entry.sequence}, {"utc", entry.utc}, {"who", entry.who},
-        {"action", entry.action}, {"object", entry.object}, {"before", entry.before},
-        {"after", entry.after}, {"reason", entry.reason}, {"program", entry.program},
-        {"previous", entry.previous}, {"sha256", entry.sha256}};
-}
-
-std::string lineOf(const AuditEntry &entry)
-{
-    std::string line = std::to_string(entry.sequence) + "  " + entry.utc;
-    for (const std::string &text : {entry.who, entry.action, entry.object, entry.reason})
-        line += text.empty() ? "" : "  " + presentableInBrief(text);
-    return line + '\n';
-}
-
 /// The audit trail, or the entries about one certificate.
 int listTrail(const RegistryOptions &options)
 {
-    Result<CertificateRegister> registry = CertificateRegister::openToRead(options.registry);
-    if (!registry)
-        return report(registry.error());
-    const auto entries = options.number > 0
-        ? entriesOf(registry->database(), certificateObject(options.number))
-        : allEntries(registry->database());
-    if (!entries)
-        return report(entries.error());
-    nlohmann::json list = nlohmann::json::array();
-    for (const AuditEntry &entry : *entries)
-        if (options.json)
-            list.push_back(jsonOf(entry));
-        else
-            std::cout << lineOf(entry);
-    if (options.json)
-        std::cout << jsonText(list);
-    return static_cast<int>(ExitCode::Done);
+    return show(options, [&](CertificateRegister &registry) {
+        return options.number > 0
+            ? entriesOf(registry.database(), certificateObject(options.number))
+            : allEntries(registry.database());
+    });
 }
 
 int listCards(const RegistryOptions &options)
 {
-    Result<CertificateRegister> registry = CertificateRegister::openToRead(options.registry);
-    if (!registry)
-        return report(registry.error());
-    const auto cards = cardsOf(registry->database(), options.kind);
-    if (!cards)
-        return report(cards.error());
-    std::cout << (options.json ? cardsJson(*cards) : cardsCsv(*cards));
-    return static_cast<int>(ExitCode::Done);
+    return show(options,
+        [&](CertificateRegister &registry) { return cardsOf(registry.database(), options.kind); });
 }
 
 int importCards(const RegistryOptions &options)

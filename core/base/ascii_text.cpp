@@ -28,4 +28,12 @@ std::string_view trimmed(std::string_view text)
     return text;
 }
 
+std::string commaList(const std::vector<std::string> &texts, std::size_t most)
+{
+    std::string list;
+    for (std::size_t i = 0; i < std::min(texts.size(), most); ++i)
+        list += (i > 0 ? ", " : "") + texts[i];
+    return texts.size() > most ? list + ", ..." : list;
+}
+
 } // namespace dyncal

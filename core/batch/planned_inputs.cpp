@@ -7,6 +7,7 @@
 #include "core/batch/sensor_place.h"
 #include "core/capture/capture_seal.h"
 #include "core/capture/opening/folder_files.h"
+#include "core/project/template_choice.h"
 
 #include <algorithm>
 #include <filesystem>
@@ -92,6 +93,8 @@ Result<Recipe> plannedRecipe(const PlannedSensor &sensor)
     Result<Recipe> recipe = readRecipeFiles(sensor.recipe, sensor.profile);
     if (recipe && hashOfRecipe(*recipe) != sensor.recipeSha256)
         return changedSincePlanned(sensor.recipe.empty() ? sensor.profile : sensor.recipe);
+    if (recipe)
+        locateTemplate(sensor.recipe, *recipe);
     return recipe;
 }
 

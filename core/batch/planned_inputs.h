@@ -29,8 +29,9 @@ Result<std::vector<InputStamp>> checkReadInputs(
 Result<void> checkKnownInputs(const std::vector<InputStamp> &known,
     const std::vector<std::string> &paths, const PlannedSensor &sensor);
 
-/// The recipe of the sensor, for a program that runs in the plan's folder. Fails as
-/// readRecipeFiles, and (FileUnreadable) if it is not the planned one.
+/// The recipe of the sensor, for a program that runs in the plan's folder; a template's file is
+/// named by where it is (locateTemplate). Fails as readRecipeFiles, and (FileUnreadable) if it is
+/// not the planned one.
 Result<Recipe> plannedRecipe(const PlannedSensor &sensor);
 
 } // namespace dyncal

@@ -12,7 +12,8 @@
 namespace dyncal {
 namespace {
 
-using R = const CalibrationResults &;
+using C = CalibrationResults;
+using R = const C &;
 
 /// A figure, its caption, and whether the results hold what it shows.
 struct KnownFigure
@@ -22,34 +23,15 @@ struct KnownFigure
     bool (*isThere)(R);
 };
 
-bool hasCaptures(R r)
+template <auto part>
+bool has(R r)
 {
-    return r.captures != nullptr;
-}
-bool hasWindow(R r)
-{
-    return r.window != nullptr;
+    return r.*part != nullptr;
 }
 /// One shot alone has none: its figures would be empty.
 bool hasComponents(R r)
 {
     return r.components && r.components->principal;
-}
-bool hasInput(R r)
-{
-    return r.input != nullptr;
-}
-bool hasDecomposition(R r)
-{
-    return r.decomposition != nullptr;
-}
-bool hasModel(R r)
-{
-    return r.model != nullptr;
-}
-bool hasResponse(R r)
-{
-    return r.response != nullptr;
 }
 bool hasComparison(R r)
 {
@@ -57,15 +39,16 @@ bool hasComparison(R r)
 }
 
 constexpr std::array<KnownFigure, 22> kKnownFigures{{
-    {"raw-dut", DYNCAL_TEXT("core", "Recordings of the item calibrated"), hasCaptures},
+    {"raw-dut", DYNCAL_TEXT("core", "Recordings of the item calibrated"), has<&C::captures>},
     {"raw-driven-side",
         DYNCAL_TEXT("core", "Recordings of the sensors in the wall of the driven section"),
-        hasCaptures},
+        has<&C::captures>},
     {"raw-driver", DYNCAL_TEXT("core", "Recordings of the sensor in the driver section"),
-        hasCaptures},
-    {"responses", DYNCAL_TEXT("core", "Responses of the item, aligned at their start"), hasWindow},
-    {"responses-start", DYNCAL_TEXT("core", "First moments of the responses"), hasWindow},
-    {"spectrum", DYNCAL_TEXT("core", "Power spectra of the responses"), hasWindow},
+        has<&C::captures>},
+    {"responses", DYNCAL_TEXT("core", "Responses of the item, aligned at their start"),
+        has<&C::window>},
+    {"responses-start", DYNCAL_TEXT("core", "First moments of the responses"), has<&C::window>},
+    {"spectrum", DYNCAL_TEXT("core", "Power spectra of the responses"), has<&C::window>},
     {"explained", DYNCAL_TEXT("core", "Share explained by the first principal components"),
         hasComponents},
     {"reconstruction", DYNCAL_TEXT("core", "Responses reconstructed from the components kept"),
@@ -75,16 +58,18 @@ constexpr std::array<KnownFigure, 22> kKnownFigures{{
         DYNCAL_TEXT("core", "Autocovariance of the residuals; dotted: white noise"), hasComponents},
     {"residual-spectrum", DYNCAL_TEXT("core", "Power spectra of the residuals"), hasComponents},
     {"average", DYNCAL_TEXT("core", "Average of the reconstructions"), hasComponents},
-    {"model-input", DYNCAL_TEXT("core", "Input of the model"), hasInput},
+    {"model-input", DYNCAL_TEXT("core", "Input of the model"), has<&C::input>},
     {"singular-values", DYNCAL_TEXT("core", "Singular values of the Hankel matrix"),
-        hasDecomposition},
-    {"bic", DYNCAL_TEXT("core", "Bayesian information criterion over the order"), hasDecomposition},
-    {"model-data", DYNCAL_TEXT("core", "Responses and model"), hasModel},
-    {"model-error", DYNCAL_TEXT("core", "Responses minus model"), hasModel},
-    {"pole-zero", DYNCAL_TEXT("core", "Poles and zeros of the model in the z-plane"), hasModel},
-    {"step", DYNCAL_TEXT("core", "Step response of the model"), hasModel},
-    {"magnitude", DYNCAL_TEXT("core", "Frequency response, magnitude"), hasResponse},
-    {"phase", DYNCAL_TEXT("core", "Frequency response, phase"), hasResponse},
+        has<&C::decomposition>},
+    {"bic", DYNCAL_TEXT("core", "Bayesian information criterion over the order"),
+        has<&C::decomposition>},
+    {"model-data", DYNCAL_TEXT("core", "Responses and model"), has<&C::model>},
+    {"model-error", DYNCAL_TEXT("core", "Responses minus model"), has<&C::model>},
+    {"pole-zero", DYNCAL_TEXT("core", "Poles and zeros of the model in the z-plane"),
+        has<&C::model>},
+    {"step", DYNCAL_TEXT("core", "Step response of the model"), has<&C::model>},
+    {"magnitude", DYNCAL_TEXT("core", "Frequency response, magnitude"), has<&C::response>},
+    {"phase", DYNCAL_TEXT("core", "Frequency response, phase"), has<&C::response>},
     {"comparison",
         DYNCAL_TEXT("core",
             "Magnitude against the reference transducer and against the pressure step, less the mean of both"),

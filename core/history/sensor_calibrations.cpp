@@ -25,14 +25,6 @@ std::vector<std::string> serialsOf(const std::vector<EarlierCalibration> &all)
     return serials;
 }
 
-std::string named(const std::vector<std::string> &serials)
-{
-    std::string text;
-    for (std::size_t i = 0; i < std::min(serials.size(), kMostSerialsNamed); ++i)
-        text += (i > 0 ? ", " : "") + serials[i];
-    return serials.size() > kMostSerialsNamed ? text + ", ..." : text;
-}
-
 Result<std::string> chosenSerial(const std::vector<std::string> &there, const std::string &asked)
 {
     if (there.empty())
@@ -44,12 +36,12 @@ Result<std::string> chosenSerial(const std::vector<std::string> &there, const st
         return fail(ErrorKind::Usage,
             {DYNCAL_TEXT("core",
                  "The results are of %1 sensors, and a history is of one; choose it by its serial number: %2."),
-                {std::to_string(there.size()), named(there)}});
+                {std::to_string(there.size()), commaList(there, kMostSerialsNamed)}});
     if (!asked.empty() && std::ranges::find(there, asked) == there.end())
         return fail(ErrorKind::Usage,
             {DYNCAL_TEXT("core",
                  "None of the results is of a sensor with the serial number %1; there are results of %2."),
-                {asked, named(there)}});
+                {asked, commaList(there, kMostSerialsNamed)}});
     return asked.empty() ? there.front() : asked;
 }
 
@@ -64,18 +56,17 @@ bool isFromSameRecordings(const EarlierCalibration &a, const EarlierCalibration 
     return !a.recordings.empty() && a.recordings == b.recordings;
 }
 
-/// The one that stands for all results from the same recordings.
+/// The one that stands for all results from the same recordings: of those equal in all that counts
+/// the first.
 const EarlierCalibration &standingFor(
     const EarlierCalibration &one, const std::vector<EarlierCalibration> &all)
 {
-    const EarlierCalibration *best = &one;
-    for (const EarlierCalibration &other : all)
-        if (isFromSameRecordings(one, other) && standing(*best) < standing(other))
+    const EarlierCalibration *best = nullptr;
+    for (const EarlierCalibration &other : all) {
+        const bool competes = &other == &one || isFromSameRecordings(one, other);
+        if (competes && (!best || standing(*best) < standing(other)))
             best = &other;
-    // Of those equal in all that counts the first, so that one is left.
-    for (const EarlierCalibration &other : all)
-        if (isFromSameRecordings(one, other) && !(standing(other) < standing(*best)))
-            return other;
+    }
     return *best;
 }
 

@@ -3,6 +3,7 @@
 
 #include "core/issue/issue_obstacles.h"
 
+#include "core/base/ascii_text.h"
 #include "core/certificate/certificate_words.h"
 #include "core/certificate/required_fields.h"
 #include "core/pipeline/calibration_kind.h"
@@ -19,14 +20,6 @@ namespace dyncal {
 namespace {
 
 using Names = std::vector<std::string>;
-
-std::string joined(const Names &names)
-{
-    std::string text;
-    for (const std::string &name : names)
-        text += (text.empty() ? "" : ", ") + name;
-    return text;
-}
 
 void block(Findings &findings, const char *id, Message message)
 {
@@ -49,12 +42,12 @@ void addFields(const std::vector<CertificateField> &unfilled, Findings &findings
         block(findings, "CER-001",
             {DYNCAL_TEXT("core",
                  "%1 required fields are empty or wrong: %2; fill them in (certificate.fields of the recipe)."),
-                {std::to_string(empty.size()), joined(empty)}});
+                {std::to_string(empty.size()), commaList(empty)}});
     if (!ended.empty())
         block(findings, "CER-003",
             {DYNCAL_TEXT("core",
                  "The certificate of a reference ended before the measurement (%1); state the certificate that held then."),
-                {joined(ended)}});
+                {commaList(ended)}});
 }
 
 bool isAccepted(const Finding &finding, const Recipe &recipe)
@@ -76,7 +69,7 @@ void addCautions(const Findings &found, const Recipe &recipe, Findings &findings
         block(findings, "CER-002",
             {DYNCAL_TEXT("core",
                  "%1 cautions need a reason before the certificate is issued: %2; look at each and say why it is accepted (acknowledge)."),
-                {std::to_string(open.size()), joined(open)}});
+                {std::to_string(open.size()), commaList(open)}});
 }
 
 void addSecondName(const Recipe &recipe, const IssueNames &names, Findings &findings)
@@ -127,7 +120,7 @@ void addIncomplete(const CalibrationResults &results, Findings &findings)
         block(findings, "CER-008",
             {DYNCAL_TEXT("core",
                  "Reported quantities lack their complete uncertainty: %1; state what the budget of each lacks (docs/method/uncertainty.md)."),
-                {joined(lacking)}});
+                {commaList(lacking)}});
 }
 
 /// The source of a line without the sensor that it is of: "distance_m[Driven side]".
@@ -170,7 +163,7 @@ void addTraceability(const CalibrationResults &results, const Recipe &recipe, Fi
         block(findings, "CER-009",
             {DYNCAL_TEXT("core",
                  "No certificate of a reference is named for %1, so the results are not traceable; state it in uncertainty.budget (\"certificate\", \"due\")."),
-                {joined(Names(untraced.begin(), untraced.end()))}});
+                {commaList(Names(untraced.begin(), untraced.end()))}});
 }
 
 } // namespace

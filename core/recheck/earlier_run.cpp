@@ -3,6 +3,7 @@
 
 #include "core/recheck/earlier_run.h"
 
+#include "core/base/ascii_text.h"
 #include "core/base/content_hash.h"
 #include "core/base/file_descriptor.h"
 #include "core/base/json_text.h"
@@ -105,14 +106,6 @@ void collectMissing(const RunJson &whole, const RunJson &stated, const std::stri
     }
 }
 
-std::string firstOf(const std::vector<std::string> &keys)
-{
-    std::string text;
-    for (std::size_t i = 0; i < std::min(keys.size(), kMostKeysNamed); ++i)
-        text += (i > 0 ? ", " : "") + keys[i];
-    return keys.size() > kMostKeysNamed ? text + ", ..." : text;
-}
-
 /// Empty, or which keys are newer than the recipe.
 std::vector<Message> ofNewerKeys(const Recipe &recipe, const RunJson &stated)
 {
@@ -122,7 +115,7 @@ std::vector<Message> ofNewerKeys(const Recipe &recipe, const RunJson &stated)
         return {};
     return {{DYNCAL_TEXT("core",
                  "The recipe is from before %1 of today's keys, for which the defaults count: %2."),
-        {std::to_string(missing.size()), firstOf(missing)}}};
+        {std::to_string(missing.size()), commaList(missing, kMostKeysNamed)}}};
 }
 
 tl::unexpected<Error> withoutTable(

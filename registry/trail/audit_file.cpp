@@ -63,15 +63,23 @@ std::optional<AuditLine> lineOf(const std::string &text)
 
 } // namespace
 
+Json entryJson(const AuditEntry &entry)
+{
+    Json json{{"sequence", entry.sequence}, {"previous", entry.previous}, {"sha256", entry.sha256}};
+    for (const auto &[key, member] : kTexts)
+        json[key] = entry.*member;
+    return json;
+}
+
 std::string auditText(const std::vector<AuditEntry> &entries, const std::string &object)
 {
     std::string text;
     for (const AuditEntry &entry : entries) {
-        Json line{{"sequence", entry.sequence}, {"previous", entry.previous},
-            {"content_sha256", contentSha256(entry)}, {"sha256", entry.sha256}};
-        if (entry.object == object)
+        Json line = entryJson(entry);
+        if (entry.object != object)
             for (const auto &[key, member] : kTexts)
-                line[key] = entry.*member;
+                line.erase(key);
+        line["content_sha256"] = contentSha256(entry);
         text += jsonLine(line);
     }
     return text;

@@ -6,6 +6,8 @@
 #include "core/base/result.h"
 #include "registry/trail/audit_entry.h"
 
+#include <nlohmann/json.hpp>
+
 namespace dyncal {
 
 /// A line of audit.jsonl. Entries about other certificates are closed: a customer is given their
@@ -18,6 +20,9 @@ struct AuditLine
     std::string sha256;
     std::optional<AuditEntry> entry; ///< of an open line
 };
+
+/// All of an entry as JSON, by the names of its members.
+nlohmann::json entryJson(const AuditEntry &entry);
 
 /// audit.jsonl: one JSON object a line, keys sorted. Open are the entries of `object`.
 std::string auditText(const std::vector<AuditEntry> &entries, const std::string &object);

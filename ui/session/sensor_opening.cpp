@@ -5,7 +5,6 @@
 
 #include "core/batch/planned_inputs.h"
 #include "core/batch/sensor_place.h"
-#include "core/project/template_choice.h"
 
 #include <algorithm>
 #include <filesystem>
@@ -46,12 +45,10 @@ Result<OpenedSensor> openSensor(
     const Result<std::vector<std::string>> paths = plannedPaths(planFolder, sensor);
     if (!paths)
         return tl::unexpected(paths.error());
-    const PlannedSensor seen = seenFromHere(sensor, planFolder);
-    Result<Recipe> recipe = plannedRecipe(seen);
+    const Result<Recipe> recipe
+        = plannedRecipe(seenFromHere(sensor, std::filesystem::absolute(planFolder).string()));
     if (!recipe)
         return tl::unexpected(recipe.error());
-    if (!seen.recipe.empty())
-        locateTemplate(std::filesystem::absolute(seen.recipe).string(), *recipe);
     Result<CapturesRead> read = readEach(*paths, recipe->import, control);
     if (!read)
         return tl::unexpected(read.error());
