@@ -154,10 +154,11 @@ void CardsTab::refresh()
 
 void CardsTab::read()
 {
-    m_caller.call({"registry", "cards", kind(), "--json"}, [this](const ProgramAnswer &answer) {
-        m_cards = listOf(answer.out);
-        showCards();
-    });
+    m_caller.read(
+        *this, {"registry", "cards", kind(), "--json"}, [this](const ProgramAnswer &answer) {
+            m_cards = listOf(answer.out);
+            showCards();
+        });
 }
 
 void CardsTab::showCards()

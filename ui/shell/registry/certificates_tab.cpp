@@ -54,7 +54,7 @@ void CertificatesTab::showWords()
 
 void CertificatesTab::refresh()
 {
-    m_caller.call({"registry", "list", "--json"}, [this](const ProgramAnswer &answer) {
+    m_caller.read(*this, {"registry", "list", "--json"}, [this](const ProgramAnswer &answer) {
         m_records = listOf(answer.out);
         m_table->setRows(certificateRows(m_records));
     });

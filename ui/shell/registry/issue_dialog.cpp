@@ -186,7 +186,7 @@ void IssueDialog::lookUp()
     if (!m_session.state().hasShots() || !m_session.isSealed())
         return;
     const QString job = rawText(jobOf(*m_session.state().captures));
-    m_caller.call({"registry", "list", "--json"}, [this, job](const ProgramAnswer &answer) {
+    m_caller.read(*this, {"registry", "list", "--json"}, [this, job](const ProgramAnswer &answer) {
         for (const QJsonValue &record : listOf(answer.out)) {
             if (record["job"].toString() == job && isInForce(record["state"].toString()))
                 m_inForce = record["number"].toInteger();

@@ -37,7 +37,7 @@ bool RegistryCaller::useAddress(const QString &typed)
     return true;
 }
 
-void RegistryCaller::call(QStringList arguments, const Then &then)
+ProgramCall *RegistryCaller::call(QStringList arguments, const Then &then)
 {
     if (!m_address.isEmpty())
         arguments << QStringLiteral("--registry") << m_address;
@@ -47,6 +47,14 @@ void RegistryCaller::call(QStringList arguments, const Then &then)
     ++m_running;
     emit busyChanged();
     call->start(arguments);
+    return call;
+}
+
+void RegistryCaller::read(const QObject &reader, const QStringList &arguments, const Then &then)
+{
+    if (ProgramCall *before = m_reads.value(&reader))
+        before->stop();
+    m_reads[&reader] = call(arguments, then);
 }
 
 void RegistryCaller::finish(ProgramCall *call, const ProgramAnswer &answer, const Then &then)

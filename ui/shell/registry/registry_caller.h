@@ -5,7 +5,9 @@
 
 #include "ui/shell/program/program_call.h"
 
+#include <QHash>
 #include <QObject>
+#include <QPointer>
 
 #include <functional>
 
@@ -38,7 +40,10 @@ public:
 
     /// Runs `arguments` with the registry added; `then` follows where it came to its end, else
     /// failed().
-    void call(QStringList arguments, const Then &then);
+    ProgramCall *call(QStringList arguments, const Then &then);
+    /// The same to show something: an answer that `reader` still waits for is given up, as it would
+    /// be of an earlier moment, or of another registry.
+    void read(const QObject &reader, const QStringList &arguments, const Then &then);
     bool isBusy() const { return m_running > 0; }
 
 signals:
@@ -52,6 +57,7 @@ private:
     QString m_program;
     QString m_address;
     int m_running = 0;
+    QHash<const QObject *, QPointer<ProgramCall>> m_reads; ///< the last one of each reader
 };
 
 } // namespace dyncal

@@ -61,7 +61,7 @@ void TrailTab::showWords()
 
 void TrailTab::refresh()
 {
-    m_caller.call({"registry", "trail", "--json"}, [this](const ProgramAnswer &answer) {
+    m_caller.read(*this, {"registry", "trail", "--json"}, [this](const ProgramAnswer &answer) {
         m_entries = listOf(answer.out);
         m_table->setRows(trailRows(m_entries));
     });
