@@ -118,3 +118,20 @@ check_tidy() {
     printf '%s\0' "${sources[@]}" | xargs -0 -n 4 -P "$(nproc)" clang-tidy -p "$root/build-dev" \
         --quiet --extra-arg=-Wno-unknown-warning-option 2> /dev/null
 }
+
+# Every header compiles by itself, without a precompiled one: all, or with --changed those that differ
+# from DYNCAL_HEADERS_BASE (100 commits before). Eigen and Qt make each take two seconds.
+check_headers() {
+    local base="${DYNCAL_HEADERS_BASE:-HEAD~100}" objects headers=()
+    configure
+    mapfile -t objects < <(ninja -C "$build" -t targets all \
+        | sed -nE 's/^(\S+_verify_interface_header_sets\/\S+\.o): .*/\1/p')
+    if [ "${1:-}" = --changed ] && git rev-parse --verify --quiet "$base^{commit}" > /dev/null; then
+        mapfile -t headers < <(git diff --name-only --diff-filter=d "$base" -- '*.h')
+        mapfile -t objects < <(printf '%s\n' "${objects[@]}" \
+            | grep -F -f <(printf '_sets/%s.cxx.o\n' "${headers[@]}"))
+    fi
+    say "${#objects[@]} headers"
+    [ ${#objects[@]} -gt 0 ] || return 0
+    printf '%s\0' "${objects[@]}" | xargs -0 cmake --build "$build" --target >&2
+}

@@ -92,7 +92,7 @@ void markFrequencies(const SensorModel &model, ResponseTreatment treatment,
         if (isInBand(other.frequency_Hz, result))
             marks.emplace_back(other.frequency_Hz, RowMark::Known);
     std::ranges::sort(marks);
-    marks.erase(std::ranges::unique(marks).begin(), marks.end()); // two may state the same
+    marks.erase(std::unique(marks.begin(), marks.end()), marks.end()); // two may state the same
     take(marks, result);
 }
 

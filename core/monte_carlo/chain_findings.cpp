@@ -163,7 +163,7 @@ Findings judgeRefits(const RefitCheck &check)
     for (const RefittedValue &one : check.values)
         if (!one.agrees && (!worst || distanceOf(one) > distanceOf(*worst)))
             worst = &one;
-    return {disagreeingRefits(check, *worst)};
+    return worst ? Findings{disagreeingRefits(check, *worst)} : Findings{};
 }
 
 Findings judgeChain(const std::vector<DrawnValue> &values, const std::vector<DrawnRow> &rows,

@@ -6,6 +6,7 @@
 #include "ui/shell/preferences/preferences.h"
 #include "ui/shell/registry/registry_caller.h"
 #include "ui/shell/registry/registry_rows.h"
+#include "ui/shell/registry/rows_view.h"
 #include "ui/stages/frame/prompts.h"
 #include "ui/text/shown_text.h"
 
@@ -49,8 +50,6 @@ const std::array<CardKind, 4> &cardKinds()
     }};
     return kinds;
 }
-
-constexpr int kWidestColumn_chars = 44;
 
 } // namespace
 
@@ -164,7 +163,7 @@ void CardsTab::read()
 void CardsTab::showCards()
 {
     m_fields = cardKinds()[static_cast<std::size_t>(m_shownKind)].fields;
-    for (const QJsonValue &card : std::as_const(m_cards))
+    for (const QJsonValue card : std::as_const(m_cards))
         for (const QString &field : card["fields"].toObject().keys())
             if (!m_fields.contains(field))
                 m_fields << field;
@@ -174,7 +173,7 @@ void CardsTab::showCards()
     m_table->setRowCount(0);
     m_table->setColumnCount(static_cast<int>(titles.size()));
     m_table->setHorizontalHeaderLabels(titles);
-    for (const QJsonValue &card : std::as_const(m_cards))
+    for (const QJsonValue card : std::as_const(m_cards))
         addRow(card["name"].toString(), card["fields"]);
     m_table->resizeColumnsToContents();
     filter();

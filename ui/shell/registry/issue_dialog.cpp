@@ -187,7 +187,7 @@ void IssueDialog::lookUp()
         return;
     const QString job = rawText(jobOf(*m_session.state().captures));
     m_caller.read(*this, {"registry", "list", "--json"}, [this, job](const ProgramAnswer &answer) {
-        for (const QJsonValue &record : listOf(answer.out)) {
+        for (const QJsonValue record : listOf(answer.out)) {
             if (record["job"].toString() == job && isInForce(record["state"].toString()))
                 m_inForce = record["number"].toInteger();
         }
@@ -254,7 +254,7 @@ void IssueDialog::take(const ProgramAnswer &answer)
     const QJsonObject said = QJsonDocument::fromJson(answer.out).object();
     if (answer.exitCode == kBlocked) {
         QStringList reasons;
-        for (const QJsonValue &finding : said["findings"].toArray())
+        for (const QJsonValue finding : said["findings"].toArray())
             reasons << shownText(finding["id"].toString() + ": " + finding["message"].toString());
         m_outcome->setText(tr("No certificate was issued. %1").arg(reasons.join(' ')));
         return;

@@ -73,7 +73,7 @@ QString remarksOf(const QJsonValue &verified)
     if (verified["first_difference"].isString())
         return text(verified["first_difference"]);
     QStringList remarks;
-    for (const QJsonValue &remark : verified["remarks"].toArray())
+    for (const QJsonValue remark : verified["remarks"].toArray())
         remarks << text(remark);
     return remarks.join(' ');
 }
@@ -82,7 +82,7 @@ template <typename Row>
 std::vector<QVariantList> rowsOf(const QJsonArray &list, const Row &row)
 {
     std::vector<QVariantList> rows;
-    for (const QJsonValue &one : list)
+    for (const QJsonValue one : list)
         rows.push_back(row(one));
     return rows;
 }

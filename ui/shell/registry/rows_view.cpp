@@ -14,12 +14,6 @@
 
 namespace dyncal {
 
-namespace {
-
-constexpr int kWidestColumn_chars = 44;
-
-} // namespace
-
 RowsView::RowsView(const QString &name, QWidget *parent)
     : QWidget(parent)
     , m_text(new QLineEdit(this))

@@ -16,6 +16,9 @@ class QTableView;
 
 namespace dyncal {
 
+/// In the tables of the registry; what is longer is cut.
+inline constexpr int kWidestColumn_chars = 44;
+
 /// A table to look things up in: a line of text above it leaves the rows that hold it, a title
 /// sorts, and a count says how many are shown. Numbers sort as numbers.
 class RowsView : public QWidget
