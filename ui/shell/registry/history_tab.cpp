@@ -144,7 +144,8 @@ void HistoryTab::takeSensors(const QJsonObject &answer)
     for (const QJsonValue one : answer["sensors"].toArray()) {
         const QString serial = one["serial"].toString();
         m_sensor->addItem(
-            tr("%1 (%2)").arg(shownText(serial)).arg(one["calibrations"].toInteger()), serial);
+            tr("%1 (%2)").arg(shownText(serial), QString::number(one["calibrations"].toInteger())),
+            serial);
     }
     m_sensor->setCurrentIndex(std::max(0, m_sensor->findData(before)));
     if (m_sensor->count() > 0)

@@ -78,6 +78,13 @@ RegistryWindow::RegistryWindow(Prompts &prompts, Preferences &preferences, QWidg
     connect(m_refresh, &QPushButton::clicked, this, &RegistryWindow::refresh);
     connect(&m_caller, &RegistryCaller::busyChanged, this,
         [this] { m_progress->setVisible(m_caller.isBusy()); });
+    connectTabs();
+    resize(kFirstSizeOfWindow);
+    showWords();
+}
+
+void RegistryWindow::connectTabs()
+{
     connect(&m_caller, &RegistryCaller::failed, m_outcome, &QLabel::setText);
     const auto follow = [this](const QString &sentence) {
         refresh();
@@ -87,8 +94,6 @@ RegistryWindow::RegistryWindow(Prompts &prompts, Preferences &preferences, QWidg
     connect(m_cards, &CardsTab::changed, this, follow);
     connect(m_history, &HistoryTab::written, m_outcome, &QLabel::setText);
     connect(m_history, &HistoryTab::plotExport, this, &RegistryWindow::plotExport);
-    resize(kFirstSizeOfWindow);
-    showWords();
 }
 
 void RegistryWindow::showWords()

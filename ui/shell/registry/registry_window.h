@@ -47,6 +47,7 @@ protected:
     void showEvent(QShowEvent *event) override;
 
 private:
+    void connectTabs();
     void showWords();
     void useAddress();
     void askForFile();
