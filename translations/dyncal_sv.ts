@@ -9285,6 +9285,10 @@ steget</translation>
         <source>None of the results is of a sensor with the serial number %1; there are results of %2.</source>
         <translation>Inget av resultaten är av en givare med serienumret %1; det finns resultat av %2.</translation>
     </message>
+    <message>
+        <source>%1 states no magnitude of a frequency response, so there is nothing to lay over; choose the results of a run that has one.</source>
+        <translation>%1 anger inget belopp av ett frekvenssvar, så det finns inget att lägga över; välj resultaten av en körning som har ett.</translation>
+    </message>
 </context>
 <context>
     <name>dyncal::ArrivalPanel</name>
@@ -11010,6 +11014,49 @@ steget</translation>
     <message>
         <source>%1: %2</source>
         <translation>%1: %2</translation>
+    </message>
+</context>
+<context>
+    <name>dyncal::EarlierPanel</name>
+    <message>
+        <source>Lay over...</source>
+        <translation>Lägg över ...</translation>
+    </message>
+    <message>
+        <source>Take away</source>
+        <translation>Ta bort</translation>
+    </message>
+    <message>
+        <source>Earlier result</source>
+        <translation>Tidigare resultat</translation>
+    </message>
+    <message>
+        <source>A results.json of an earlier run or certificate: its S(f) is drawn beside this one, and nothing is changed by it</source>
+        <translation>En results.json från en tidigare körning eller ett bevis: dess S(f) ritas bredvid detta, och inget ändras av det</translation>
+    </message>
+    <message>
+        <source>Earlier, %1</source>
+        <translation>Tidigare, %1</translation>
+    </message>
+    <message>
+        <source>Sensor %1, %2</source>
+        <translation>Givare %1, %2</translation>
+    </message>
+    <message>
+        <source>Results (*.json);;All files (*)</source>
+        <translation>Resultat (*.json);;Alla filer (*)</translation>
+    </message>
+    <message>
+        <source>%1: in %2, which this result is not; it is not drawn.</source>
+        <translation>%1: i %2, vilket detta resultat inte är; det ritas inte.</translation>
+    </message>
+    <message>
+        <source>%1: no frequency is stated with U by both.</source>
+        <translation>%1: ingen frekvens anges med U av båda.</translation>
+    </message>
+    <message>
+        <source>%1: %2 of %3 rows agree within U; the largest |E_n| is %4, at %5. What both share, tube, references and method, is in both U: an |E_n| below 1 does not show that nothing changed.</source>
+        <translation>%1: %2 av %3 rader stämmer överens inom U; det största |E_n| är %4, vid %5. Vad båda delar, rör, referenser och metod, finns i båda U: ett |E_n| under 1 visar inte att inget har ändrats.</translation>
     </message>
 </context>
 <context>

@@ -57,7 +57,7 @@ std::vector<StagePage *> stagePages(Session &session, Prompts &prompts, FileActi
         [certificate, &prompts, &session] { askForTemplate(*certificate, prompts, session); });
     return {captures, new ShockPage(session), new WindowPage(session), new SpectrumPage(session),
         new ComponentsPage(session), new ModelInputPage(session), new OrderPage(session),
-        new ModelPage(session), new ChecksPage(session), new UncertaintyPage(session),
+        new ModelPage(session), new ChecksPage(session), new UncertaintyPage(session, prompts),
         new ComparisonPage(session, prompts), certificate};
 }
 

@@ -5,6 +5,7 @@
 
 #include "tests/ui/support/quick_pipeline.h"
 #include "tests/ui/support/sample_results.h"
+#include "ui/stages/frame/prompts.h"
 #include "ui/stages/frame/stage_page.h"
 
 #include <QComboBox>
@@ -36,6 +37,23 @@ inline void open(Session &session, const std::shared_ptr<const CaptureSet> &set)
     waitComputed(session);
     QVERIFY(!session.error());
 }
+
+/// A page that asks something is given answers put in beforehand instead of dialogs.
+inline Prompts &scripted()
+{
+    static Prompts prompts;
+    prompts.setScripted();
+    return prompts;
+}
+template <typename Page>
+class ScriptedPage : public Page
+{
+public:
+    explicit ScriptedPage(Session &session)
+        : Page(session, scripted())
+    {
+    }
+};
 
 /// One page, its inspector beside it, as a hand and an eye have it: controls by their names.
 template <typename Page>

@@ -100,4 +100,22 @@ PlotContent expandedMagnitudeCurves(const ResponseResult &response,
     return content;
 }
 
+std::vector<ResponseRow> rowsOf(const std::vector<Budget> &budgets)
+{
+    std::vector<ResponseRow> rows;
+    for (const Budget &budget : budgets)
+        if (budget.kind == BudgetOf::Magnitude)
+            rows.push_back({budget.frequency_Hz, budget.reported.value,
+                budget.reported.expanded().value_or(kUnknown)});
+    return rows;
+}
+
+void layOver(const EarlierResponse &earlier, const QString &name, PlotContent &content)
+{
+    BarPoints points;
+    for (const ResponseRow &row : earlier.rows)
+        points.push_back({row.frequency_Hz, row.magnitude, row.U});
+    addWithBars(name, CurveRole::ShotHigh, points, content);
+}
+
 } // namespace dyncal

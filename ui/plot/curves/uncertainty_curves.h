@@ -3,6 +3,7 @@
 
 #pragma once
 
+#include "core/history/earlier_response.h"
 #include "core/uncertainty/budgets.h"
 #include "ui/plot/values/plot_content.h"
 
@@ -16,5 +17,11 @@ namespace dyncal {
 PlotContent expandedMagnitudeCurves(const ResponseResult &response,
     const std::vector<Budget> &budgets, const std::vector<Budget> &tried = {},
     std::optional<double> marked_Hz = {});
+
+/// The magnitudes of budgets as rows, with the U that is reported.
+std::vector<ResponseRow> rowsOf(const std::vector<Budget> &budgets);
+
+/// Lays |S(f)| of earlier results over a content of the function above, with bars of ± U.
+void layOver(const EarlierResponse &earlier, const QString &name, PlotContent &content);
 
 } // namespace dyncal

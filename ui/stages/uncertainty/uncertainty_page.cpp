@@ -12,6 +12,7 @@
 #include "ui/stages/uncertainty/budget_words.h"
 #include "ui/stages/uncertainty/capability_panel.h"
 #include "ui/stages/uncertainty/correlation_panel.h"
+#include "ui/stages/uncertainty/earlier_panel.h"
 #include "ui/stages/uncertainty/share_bar.h"
 #include "ui/stages/uncertainty/what_if_panel.h"
 #include "ui/text/quantity_format.h"
@@ -47,7 +48,7 @@ void fill(QComboBox &box, const QStringList &texts)
 
 } // namespace
 
-UncertaintyPage::UncertaintyPage(Session &session)
+UncertaintyPage::UncertaintyPage(Session &session, Prompts &prompts)
     : StagePage(session,
         {"uncertaintyPage", tr("Uncertainty"),
             tr("The budget of every value that is stated, and what would make its uncertainty smaller.")},
@@ -57,9 +58,11 @@ UncertaintyPage::UncertaintyPage(Session &session)
     buildChoice();
     m_panel = new WhatIfPanel(session, *inspector(), this);
     buildWanted();
+    m_earlier = new EarlierPanel(session, prompts, *inspector(), this);
     new CorrelationPanel(session, *inspector(), this);
     new CapabilityPanel(session, *inspector(), this);
     connect(m_panel, &WhatIfPanel::changed, this, &UncertaintyPage::showBudgets);
+    connect(m_earlier, &EarlierPanel::changed, this, &UncertaintyPage::showPlot);
     connect(m_lines, &QTableWidget::itemSelectionChanged, this, &UncertaintyPage::chooseInput);
 }
 
@@ -231,11 +234,17 @@ void UncertaintyPage::showPlot()
     const auto &response = results().response;
     const auto at = chosen();
     const bool isMarked = at && m_budgets[*at].isOverFrequency();
-    m_plot->setContent(!response
-            ? nothingYet()
-            : expandedMagnitudeCurves(*response, m_budgets,
-                m_panel->tried().isEmpty() ? std::vector<Budget>() : m_tried,
-                isMarked ? std::optional(m_budgets[*at].frequency_Hz) : std::nullopt));
+    if (!response) {
+        m_plot->setContent(nothingYet());
+        return;
+    }
+    PlotContent content = expandedMagnitudeCurves(*response, m_budgets,
+        m_panel->tried().isEmpty() ? std::vector<Budget>() : m_tried,
+        isMarked ? std::optional(m_budgets[*at].frequency_Hz) : std::nullopt);
+    m_earlier->compareWith(rowsOf(m_budgets), response->unit);
+    if (const auto &earlier = m_earlier->earlier(); earlier && earlier->unit == response->unit)
+        layOver(*earlier, m_earlier->name(), content);
+    m_plot->setContent(content);
 }
 
 void UncertaintyPage::showNothing()

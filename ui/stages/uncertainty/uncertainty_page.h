@@ -13,6 +13,8 @@ class QTabWidget;
 
 namespace dyncal {
 
+class EarlierPanel;
+class Prompts;
 class QuantityEdit;
 class ValueTable;
 class WhatIfPanel;
@@ -23,7 +25,7 @@ class UncertaintyPage : public StagePage
     Q_OBJECT
 
 public:
-    explicit UncertaintyPage(Session &session);
+    UncertaintyPage(Session &session, Prompts &prompts);
 
 protected:
     void showRecipe() override;
@@ -60,6 +62,7 @@ private:
     QComboBox *m_quantity;
     QComboBox *m_frequency;
     WhatIfPanel *m_panel;
+    EarlierPanel *m_earlier;
     QuantityEdit *m_wantedU;
     QuantityEdit *m_wantedK;
     QLabel *m_wantedNote;

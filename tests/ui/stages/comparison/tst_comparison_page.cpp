@@ -31,23 +31,7 @@ using Json = nlohmann::json;
 
 namespace {
 
-Prompts &scripted()
-{
-    static Prompts prompts;
-    prompts.setScripted();
-    return prompts;
-}
-
-/// With answers put in instead of dialogs.
-class ScriptedPage : public ComparisonPage
-{
-public:
-    explicit ScriptedPage(Session &session)
-        : ComparisonPage(session, scripted())
-    {
-    }
-};
-using Bench = test::PageBench<ScriptedPage>;
+using Bench = test::PageBench<test::ScriptedPage<ComparisonPage>>;
 
 /// The truth of the simulated reference as a table, times `factor`.
 std::string tableOfTruth(double factor = 1.0)
@@ -101,7 +85,7 @@ private:
     }
     void chooseFile(const char *button, const QString &path) const
     {
-        scripted().setNextFile(path);
+        test::scripted().setNextFile(path);
         press(button);
         test::waitComputed(m_bench->session);
     }

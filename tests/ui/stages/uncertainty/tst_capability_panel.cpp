@@ -17,7 +17,7 @@
 #include <numbers>
 
 using namespace dyncal;
-using Bench = test::PageBench<UncertaintyPage>;
+using Bench = test::PageBench<test::ScriptedPage<UncertaintyPage>>;
 
 class TestCapabilityPanel : public QObject
 {

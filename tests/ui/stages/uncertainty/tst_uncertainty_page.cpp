@@ -19,7 +19,7 @@
 #include <QtTest>
 
 using namespace dyncal;
-using Bench = test::PageBench<UncertaintyPage>;
+using Bench = test::PageBench<test::ScriptedPage<UncertaintyPage>>;
 
 namespace {
 
