@@ -157,7 +157,7 @@ private slots:
         KilledIssuing job(recording);
         QVERIFY(job.isReady());
         std::mt19937_64 random(kSeed);
-        const int kills = dyncal::trials::count(12, 200);
+        const int kills = dyncal::trials::count(30, 200);
         for (int i = 0; i < kills; ++i) {
             const QString fault = job.kill(random() % longest);
             QVERIFY2(fault.isEmpty(), qPrintable(QString("kill %1: %2").arg(i).arg(fault)));
@@ -167,7 +167,8 @@ private slots:
         QVERIFY2(fault.isEmpty(), qPrintable(fault));
         qInfo("%d kills, %d certificates, %d of the kills left a reserved number", kills,
             job.issued(), job.wereReserved());
-        QVERIFY(job.wereReserved() > 0);
+        constexpr int kMany = 100; // so that some are killed between number and files
+        QVERIFY(kills < kMany || job.wereReserved() > 0);
     }
 };
 
