@@ -6,6 +6,7 @@
 #include "app/base/clock.h"
 #include "app/base/interrupt.h"
 #include "app/base/painting_thread.h"
+#include "app/base/user_name.h"
 #include "app/base/window_memory.h"
 #include "app/cli/console.h"
 #include "core/base/version.h"
@@ -18,6 +19,7 @@
 #include <QHashSeed>
 #include <QIcon>
 #include <QStandardPaths>
+#include <QSysInfo>
 #include <QTimer>
 
 #include <unistd.h>
@@ -117,6 +119,7 @@ int runGui(int argc, char **argv, const std::vector<std::string> &files)
         return runScreenshotTour(window, tourFolder) ? 0 : 5;
     window.keepWork(
         QStandardPaths::writableLocation(QStandardPaths::AppLocalDataLocation) + "/recovery");
+    window.files().holdProjectsAs(userName(), QSysInfo::machineHostName().toStdString());
     QStringList paths;
     for (const std::string &file : files)
         paths << QString::fromStdString(file);

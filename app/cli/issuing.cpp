@@ -100,7 +100,8 @@ std::vector<std::string> recordingsOf(const CaptureSet &captures)
 Result<CertificateRecord> registerIssued(const std::string &registry, Index number,
     const std::map<std::string, std::string> &hashes, const std::string &utc)
 {
-    Result<CertificateRegister> opened = CertificateRegister::open(registry);
+    // The one that has the number; one that is missing by now is never made anew.
+    Result<CertificateRegister> opened = CertificateRegister::openToChange(registry);
     if (!opened)
         return tl::unexpected<Error>(opened.error());
     return opened->markIssued(number, hashes, utc);

@@ -18,9 +18,19 @@ Result<ProjectState> readProjectJob(const std::string &path)
         return fail(ErrorKind::FileUnreadable,
             {DYNCAL_TEXT("core", "The name of project %1 is not valid UTF-8; rename the project."),
                 {path}});
+    const Result<ProjectFile> file = readProjectFile(name);
+    if (!file)
+        return tl::unexpected<Error>(file.error());
+    if (const std::optional<Finding> older = olderVersion(*file))
+        reportFindings({*older});
+    return readProjectJob(*file);
+}
+
+Result<ProjectState> readProjectJob(const ProjectFile &file)
+{
     ProgressLine progress("Reading");
     const JobControl control{interruptToken(), progress.sink()};
-    Result<ProjectState> project = openProject(name, control);
+    Result<ProjectState> project = openProject(file, control);
     if (!project)
         return project;
     Result<CaptureSet> set = sealCaptures(*project->captures, control);

@@ -30,7 +30,7 @@ Result<CertificateRecord> changedNow(const std::string &registry,
     const Result<std::string> now = currentUtc();
     if (!now)
         return tl::unexpected<Error>(now.error());
-    Result<CertificateRegister> opened = CertificateRegister::open(registry);
+    Result<CertificateRegister> opened = CertificateRegister::openToChange(registry);
     if (!opened)
         return tl::unexpected<Error>(opened.error());
     return change(*opened, *now);

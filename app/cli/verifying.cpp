@@ -111,9 +111,11 @@ Verified verifyProject(const std::string &path)
     const Result<ProjectFile> file = readProjectFile(QString::fromStdString(path));
     if (!file)
         return unreadable(one, file.error());
+    if (const std::optional<Finding> older = olderVersion(*file))
+        one.remarks.push_back(older->message);
     Findings findings = checkProject(file->content, QFileInfo(file->path).fileName());
     if (worstSeverity(findings) == Severity::Info) {
-        const Result<ProjectState> job = readProjectJob(path);
+        const Result<ProjectState> job = readProjectJob(*file);
         if (!job && job.error().findingId == kMissingRecordings)
             one.remarks.push_back(job.error().message);
         else if (!job)

@@ -116,6 +116,13 @@ Result<CertificateRegister> CertificateRegister::open(const std::string &text)
     }).map([](RegistryDatabase database) { return CertificateRegister(std::move(database)); });
 }
 
+Result<CertificateRegister> CertificateRegister::openToChange(const std::string &text)
+{
+    return openedDatabase(text, RegistryAccess::Change, [](RegistryDatabase &one) {
+        return bringUpToDate(one);
+    }).map([](RegistryDatabase database) { return CertificateRegister(std::move(database)); });
+}
+
 Result<CertificateRegister> CertificateRegister::openToRead(const std::string &text)
 {
     return openedDatabase(text, RegistryAccess::Read, checkSchema)

@@ -51,6 +51,8 @@ class CertificateRegister
 public:
     /// Opens the registry at that address (registryAddress) and makes or changes its tables.
     static Result<CertificateRegister> open(const std::string &address);
+    /// The same of one that must be there. Fails (FileUnreadable) where it is not.
+    static Result<CertificateRegister> openToChange(const std::string &address);
     /// The same to look at it: nothing is made or changed.
     static Result<CertificateRegister> openToRead(const std::string &address);
 

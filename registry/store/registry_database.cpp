@@ -66,14 +66,13 @@ Result<void> checkPlace(const RegistryAddress &address, RegistryAccess access)
 {
     namespace fs = std::filesystem;
     std::error_code error;
-    if (access == RegistryAccess::Read) {
-        if (fs::is_regular_file(address.file, error))
-            return {};
+    if (access != RegistryAccess::Write && !fs::is_regular_file(address.file, error))
         return fail(ErrorKind::FileUnreadable,
             {DYNCAL_TEXT(
                  "core", "There is no registry %1; name the file or the server with --registry."),
                 {address.shown()}});
-    }
+    if (access == RegistryAccess::Read)
+        return {};
     const std::string network = networkFileSystemOf(address.file);
     if (!network.empty())
         return fail(ErrorKind::Usage,

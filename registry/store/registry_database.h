@@ -14,8 +14,9 @@
 
 namespace dyncal {
 
-/// Whether a registry is opened to be looked at only: then nothing of it is made or changed.
-enum class RegistryAccess { Read, Write };
+/// What a registry is opened for: to be looked at only, when nothing of it is made or changed; to
+/// be changed, where it must be there; or to be written, when it is made where it is missing.
+enum class RegistryAccess { Read, Change, Write };
 
 /// A connection to the database of a registry: SQLite or PostgreSQL, the same statements for both.
 /// All fail (Usage where the place is at fault, Internal otherwise) with the reason of the

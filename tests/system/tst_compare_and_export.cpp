@@ -215,7 +215,7 @@ private slots:
         const QByteArray sha256
             = QCryptographicHash::hash(fileBytes(m_capture), QCryptographicHash::Sha256).toHex();
         QVERIFY(writeBytes(path("job.dyncal"),
-            R"({"format": "dyncal-project", "version": 1, "recipe": {"realization": {"order": 4}},
+            R"({"format": "dyncal-project", "version": 2, "recipe": {"realization": {"order": 4}},
                 "captures": [{"path": "example.h5", "sha256": ")"
                 + sha256 + R"("}]})"));
         const QString out = path("of-project");
@@ -230,7 +230,7 @@ private slots:
     void export_ofAChangedRecording_writesNoModel()
     {
         QVERIFY(writeBytes(path("changed.dyncal"),
-            R"({"format": "dyncal-project", "version": 1, "recipe": {},
+            R"({"format": "dyncal-project", "version": 2, "recipe": {},
                 "captures": [{"path": "example.h5", "sha256": ")"
                 + QByteArray(64, 'a') + R"("}]})"));
         const QString out = path("of-changed");

@@ -502,6 +502,12 @@ void TestIssue::wrongUsage_isSaid()
     QCOMPARE(job.issue({"--amends", "7", "--reason", "x"}).exitCode, 4);
     QVERIFY(!QFile::exists(job.output()));
     QCOMPARE(runDyncal({"registry", "list", "--registry", job.path("none")}).exitCode, 3);
+    // What must be there is never made.
+    for (const QStringList &change : {QStringList{"withdraw", "1"}, {"registry", "void", "1"}})
+        QCOMPARE(runDyncal(change + QStringList{"--reason", "x", "--registry", job.path("none")})
+                     .exitCode,
+            3);
+    QVERIFY(!QFile::exists(job.path("none")));
     QCOMPARE(runDyncal({"issue", job.path("shot.h5"), "-o", job.output()}).exitCode, 3);
 }
 

@@ -127,7 +127,7 @@ private slots:
         const QJsonObject info = runDyncal({"info", path("work/a.h5"), "--json"}).json();
         const QJsonObject capture{
             {"path", "a.h5"}, {"sha256", info["files"][0]["sha256"]}, {"shots", QJsonArray{1}}};
-        const QJsonObject byHand{{"format", "dyncal-project"}, {"version", 1},
+        const QJsonObject byHand{{"format", "dyncal-project"}, {"version", 2},
             {"recipe", QJsonObject{{"schema", "dyncal-recipe/1"}}},
             {"captures", QJsonArray{capture}}};
         QVERIFY(writeBytes(project(), QJsonDocument(byHand).toJson()));

@@ -12,6 +12,9 @@
 #include <QJsonDocument>
 #include <QJsonObject>
 
+/// Of projects that the program writes.
+inline constexpr int kCurrentProjectVersion = 2;
+
 /// Writes a project of captures and this recipe.
 inline bool writeProject(const QString &project, const QStringList &captures, QJsonObject recipe)
 {
@@ -23,7 +26,7 @@ inline bool writeProject(const QString &project, const QStringList &captures, QJ
         entries.append(QJsonObject{{"path", QFileInfo(project).dir().relativeFilePath(capture)},
             {"sha256", QString(sha256)}});
     }
-    const QJsonObject whole{
-        {"format", "dyncal-project"}, {"version", 1}, {"recipe", recipe}, {"captures", entries}};
+    const QJsonObject whole{{"format", "dyncal-project"}, {"version", kCurrentProjectVersion},
+        {"recipe", recipe}, {"captures", entries}};
     return writeBytes(project, QJsonDocument(whole).toJson());
 }

@@ -3,8 +3,10 @@
 
 #pragma once
 
+#include <QByteArray>
 #include <QString>
 
+#include <functional>
 #include <memory>
 
 namespace dyncal {
@@ -15,11 +17,20 @@ namespace dyncal {
 class FileLock
 {
 public:
-    /// Null where another program, or another object of this one, has it, or it cannot be made.
-    static std::unique_ptr<FileLock> take(const QString &path);
+    /// Whether the lock's file, opened and locked, may be taken over from whoever left it.
+    using Judge = std::function<bool(int file)>;
+
+    /// Null where another program, or another object of this one, has it, `mayTake` says no, or it
+    /// cannot be made.
+    static std::unique_ptr<FileLock> take(const QString &path, const Judge &mayTake = {});
     ~FileLock(); ///< removes the file
     FileLock(const FileLock &) = delete;
     FileLock &operator=(const FileLock &) = delete;
+
+    /// Puts these bytes into the file, readable for everybody, in the place of what is there.
+    bool write(const QByteArray &bytes) const;
+    /// Sets the file's time to now, by the clock of the machine that has the file.
+    void touch() const;
 
 private:
     FileLock(const std::string &path, int descriptor);

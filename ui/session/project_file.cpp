@@ -22,6 +22,7 @@
 #include <QJsonDocument>
 #include <QJsonObject>
 
+#include <cmath>
 #include <set>
 
 namespace dyncal {
@@ -29,7 +30,7 @@ namespace dyncal {
 namespace {
 
 constexpr const char *kFormat = "dyncal-project";
-constexpr int kVersion = 1;
+constexpr int kOldestVersion = 1;
 /// A project holds settings only; anything larger is another kind of file.
 constexpr qint64 kLargestProject_bytes = 64 << 20;
 
@@ -82,12 +83,29 @@ QJsonArray captureReferences(const ProjectState &state, const QString &folder)
     return list;
 }
 
-/// The version as written in the file; one with another minor version (1.7) cannot be read either.
+/// The version as written in the file.
 std::string versionText(const QJsonValue &version)
 {
     const std::string text
         = QJsonDocument(QJsonArray{version}).toJson(QJsonDocument::Compact).toStdString();
     return version.isUndefined() ? "none" : text.substr(1, text.size() - 2);
+}
+
+Result<void> checkVersion(const std::string &project, const QJsonValue &version)
+{
+    const double number = version.toDouble(0.0);
+    if (number > kProjectVersion)
+        return fail(ErrorKind::FileUnreadable,
+            {DYNCAL_TEXT("core",
+                 "Project %1 was written by a newer program: it has version %2, and this program reads up to version %3; open it with the newer program."),
+                {project, versionText(version), std::to_string(kProjectVersion)}});
+    if (number >= kOldestVersion && number == std::floor(number))
+        return {};
+    return fail(ErrorKind::FileUnreadable,
+        {DYNCAL_TEXT("core",
+             "Project %1 has version %2, which no program writes (versions go from %3 to %4); take an unchanged copy of the project."),
+            {project, versionText(version), std::to_string(kOldestVersion),
+                std::to_string(kProjectVersion)}});
 }
 
 CaptureReference locate(
@@ -179,12 +197,22 @@ Result<ProjectFile> readProjectFile(const QString &path)
     if (!isStrict)
         return fail(ErrorKind::FileUnreadable, isStrict.error().message);
     const QJsonValue version = document["version"];
-    if (version != QJsonValue(kVersion))
-        return fail(ErrorKind::FileUnreadable,
-            {DYNCAL_TEXT("core",
-                 "Project %1 has version %2, this program reads version %3; open it with the program that wrote it."),
-                {name, versionText(version), std::to_string(kVersion)}});
-    return ProjectFile{path, document.object(), sha256Hex(text)};
+    if (const Result<void> isKnown = checkVersion(name, version); !isKnown)
+        return tl::unexpected<Error>(isKnown.error());
+    return ProjectFile{path, document.object(), sha256Hex(text), version.toInt()};
+}
+
+std::optional<Finding> olderVersion(const ProjectFile &file)
+{
+    if (file.version >= kProjectVersion)
+        return std::nullopt;
+    return Finding{.id = kOlderProject,
+        .severity = Severity::Caution,
+        .message
+        = {DYNCAL_TEXT("core",
+               "Project %1 was written by an older program, as version %2; saving it writes version %3, which that program cannot open. Save it under another name to keep the old one."),
+            {QFileInfo(file.path).fileName().toStdString(), std::to_string(file.version),
+                std::to_string(kProjectVersion)}}};
 }
 
 Result<Recipe> recipeOfProject(const QJsonObject &project)
@@ -206,7 +234,7 @@ QByteArray projectBytes(
         = QJsonDocument::fromJson(QByteArray::fromStdString(recipeJson(state.recipe)));
     QJsonObject project = moreKeys;
     project["format"] = kFormat;
-    project["version"] = kVersion;
+    project["version"] = kProjectVersion;
     project["recipe"] = recipe.object();
     project["captures"] = captureReferences(state, folder);
     return QJsonDocument(withChecksums(project)).toJson();

@@ -3,6 +3,7 @@
 
 #pragma once
 
+#include "core/base/finding.h"
 #include "core/base/progress.h"
 #include "core/base/result.h"
 #include "ui/session/project_state.h"
@@ -18,6 +19,15 @@ namespace dyncal {
 
 /// Of an error: recordings of a project are not where they were.
 inline constexpr const char *kMissingRecordings = "FIL-002";
+
+/// Of a warning: a project of an older version.
+inline constexpr const char *kOlderProject = "FIL-003";
+
+/// The version of project files that this program writes. It goes up with the first change that
+/// earlier programs cannot read; once for all that is released together.
+/// 1: 0.1.0 up to certificates that are exported. 2: certificates that are issued; values of other
+/// calibrations (`response.known`).
+inline constexpr int kProjectVersion = 2;
 
 /// What is known of a project file: the SHA-256 of its bytes, nullopt if there is none.
 using ProjectFileHash = std::optional<std::string>;
@@ -39,10 +49,15 @@ struct ProjectFile
     QString path;
     QJsonObject content;
     std::string sha256; ///< of the file's bytes
+    int version = kProjectVersion;
 };
 
-/// Fails when the file is no project or has another version.
+/// Fails when the file is no project or of a newer version.
 Result<ProjectFile> readProjectFile(const QString &path);
+
+/// kOlderProject (caution) of a project of an older version: saving it writes it anew. It is of the
+/// file, not of the job, and no result depends on it.
+std::optional<Finding> olderVersion(const ProjectFile &file);
 
 /// Opens the recordings of a project, so that they can be shown; they are not sealed. Fails when
 /// recordings are missing (all are named; finding kMissingRecordings). Sealing finds a recording

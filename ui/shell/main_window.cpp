@@ -7,6 +7,7 @@
 #include "ui/shell/banner/banner.h"
 #include "ui/shell/batch/batch_window.h"
 #include "ui/shell/control_focus.h"
+#include "ui/shell/files/project_notice.h"
 #include "ui/shell/files/source_notice.h"
 #include "ui/shell/findings/finding_answers.h"
 #include "ui/shell/findings/finding_places.h"
@@ -67,10 +68,12 @@ MainWindow::MainWindow(Session::Pipeline pipeline, CurrentUtc currentUtc, Prefer
     , m_files(new FileActions(m_session, m_currentUtc, prompts, preferences, this))
     , m_recoveryBanner(new Banner("recovery", this))
     , m_sourceBanner(new Banner("source", this))
+    , m_projectBanner(new Banner("project", this))
     , m_centre(new QStackedWidget(this))
     , m_inspectors(new QStackedWidget(this))
     , m_work(new WorkStatus(*statusBar(), m_session, *m_files, this))
     , m_sources(new SourceNotice(m_session, m_files->captures(), m_prompts, *m_sourceBanner, this))
+    , m_project(new ProjectNotice(*m_files, *m_projectBanner, this))
     , m_tools(new ToolWindows(
           {m_session, m_currentUtc, prompts, preferences, language, *m_files}, this))
     , m_nextLine(new QToolBar(this))
@@ -123,6 +126,7 @@ void MainWindow::buildCentre()
     column->setSpacing(0);
     column->addWidget(m_recoveryBanner);
     column->addWidget(m_sourceBanner);
+    column->addWidget(m_projectBanner);
     column->addWidget(m_centre, 1);
 }
 
@@ -218,6 +222,7 @@ void MainWindow::buildContents()
     showStatuses();
     m_work->showWords();
     m_sources->showWords();
+    m_project->showWords();
     if (m_recovery)
         m_recovery->showWords();
     if (started)
@@ -361,7 +366,9 @@ void MainWindow::showFinding(const Finding &finding)
 void MainWindow::showTitle()
 {
     const QString name = m_files->projectName();
-    setWindowTitle(name.isEmpty() ? QString("Dyncal") : asTitle(name) + "[*] – Dyncal");
+    const QString shown
+        = m_files->readOnlyReason() ? tr("%1 (read-only)").arg(asTitle(name)) : asTitle(name);
+    setWindowTitle(name.isEmpty() ? QString("Dyncal") : shown + "[*] – Dyncal");
     setWindowModified(!name.isEmpty() && m_files->isModified());
 }
 

@@ -24,6 +24,7 @@ class FindingsPanel;
 class MainMenus;
 class NextBar;
 class ProblemPanel;
+class ProjectNotice;
 class Banner;
 class ShotChips;
 class SourceNotice;
@@ -100,6 +101,7 @@ private:
     StartPage *m_start = nullptr;
     Banner *m_recoveryBanner;
     Banner *m_sourceBanner;
+    Banner *m_projectBanner;
     QStackedWidget *m_centre;
     QStackedWidget *m_inspectors;
     QDockWidget *m_stagesDock;
@@ -112,6 +114,7 @@ private:
     WorkStatus *m_work;
     WorkRecovery *m_recovery = nullptr;
     SourceNotice *m_sources;
+    ProjectNotice *m_project;
     ToolWindows *m_tools;
     MainMenus *m_menus = nullptr;
     NextBar *m_next = nullptr;

@@ -68,7 +68,9 @@ private slots:
     void missingRecordings_areAllNamed();
     void otherFiles_areRefusedByName_data();
     void otherFiles_areRefusedByName();
-    void newerVersion_isRefused();
+    void otherVersions_areRefusedWithWhatIsNeeded_data();
+    void otherVersions_areRefusedWithWhatIsNeeded();
+    void olderVersion_isOpenedAndSaid();
     void unwritablePlace_isSaidAndLeavesNothing();
     void editedProject_opensWithACautionThatNamesTheParts_data();
     void editedProject_opensWithACautionThatNamesTheParts();
@@ -330,13 +332,60 @@ void TestProjectFile::otherFiles_areRefusedByName()
     QVERIFY(said(opened.error()).contains("other.dyncal"));
 }
 
-void TestProjectFile::newerVersion_isRefused()
+void TestProjectFile::otherVersions_areRefusedWithWhatIsNeeded_data()
 {
-    const QString path = m_folder.filePath("newer.dyncal");
-    writeBytes(path, "{\"format\": \"dyncal-project\", \"version\": 2}");
+    QTest::addColumn<QByteArray>("version");
+    QTest::addColumn<QString>("words");
+    const QByteArray next = QByteArray::number(kProjectVersion + 1);
+    QTest::newRow("next") << next
+                          << QString("written by a newer program: it has version %1, and this "
+                                     "program reads up to version %2; open it with the newer "
+                                     "program.")
+                                 .arg(kProjectVersion + 1)
+                                 .arg(kProjectVersion);
+    QTest::newRow("far") << QByteArray("1e300") << QString("newer program");
+    QTest::newRow("minor") << QByteArray::number(kProjectVersion) + ".5"
+                           << QString("newer program");
+    for (const char *none : {"0", "-1", "1.5", "\"2\"", "null", "[2]"})
+        QTest::newRow(none) << QByteArray(none)
+                            << QString("version %1, which no program").arg(none);
+}
+
+void TestProjectFile::otherVersions_areRefusedWithWhatIsNeeded()
+{
+    QFETCH(QByteArray, version);
+    QFETCH(QString, words);
+    const QString path = m_folder.filePath("versions.dyncal");
+    writeBytes(path, "{\"format\": \"dyncal-project\", \"version\": " + version + "}");
     const Result<ProjectState> opened = openProject(path);
     QVERIFY(!opened);
-    QVERIFY(said(opened.error()).contains("version 2"));
+    QCOMPARE(opened.error().kind, ErrorKind::FileUnreadable);
+    QVERIFY2(said(opened.error()).contains(words), qPrintable(said(opened.error())));
+    QVERIFY(said(opened.error()).contains("versions.dyncal"));
+}
+
+void TestProjectFile::olderVersion_isOpenedAndSaid()
+{
+    const QString path = m_folder.filePath("version.dyncal");
+    QVERIFY(saveProject(path, m_state, projectFileHash(path)));
+    QVERIFY(!olderVersion(*readProjectFile(path)));
+    for (int version = 1; version < kProjectVersion; ++version) {
+        QJsonObject json = readJson(path);
+        json["version"] = version;
+        writeBytes(path, QJsonDocument(withChecksums(json)).toJson());
+        const Result<ProjectFile> file = readProjectFile(path);
+        QVERIFY(file);
+        const std::optional<Finding> older = olderVersion(*file);
+        QVERIFY(older);
+        QCOMPARE(older->id, std::string("FIL-003"));
+        const QString sentence = QString::fromStdString(english(older->message));
+        QVERIFY2(sentence.contains(QString("as version %1;").arg(version)), qPrintable(sentence));
+        const Result<ProjectState> opened = openProject(*file);
+        QVERIFY(opened);
+        QVERIFY(opened->recipe == m_state.recipe);
+        QVERIFY(
+            opened->captures->findings == m_state.captures->findings); // no result depends on it
+    }
 }
 
 void TestProjectFile::unwritablePlace_isSaidAndLeavesNothing()

@@ -215,7 +215,7 @@ void TestRecoveryStore::unreadable_isSetAsideAndNamed_data()
     QTest::newRow("cut short") << whole.left(whole.size() / 2);
     QTest::newRow("deep") << QByteArray(50000, '[');
     QTest::newRow("another program's") << QByteArray("{\"a\": 1}");
-    QTest::newRow("newer") << QByteArray(whole).replace("\"version\": 1", "\"version\": 2");
+    QTest::newRow("newer") << QByteArray(whole).replace("\"version\": 2", "\"version\": 3");
     QTest::newRow("no time") << QByteArray(whole).replace("saved_utc", "saved_xtc");
     QTest::newRow("unknown setting") << QByteArray(whole).replace("\"end_s\"", "\"fin_s\"");
     QTest::newRow("recording without a name") << QByteArray(whole).replace("\"path\"", "\"place\"");

@@ -22,24 +22,6 @@ namespace {
 
 constexpr const char *kProjectSuffix = "dyncal";
 
-struct OpenedProject
-{
-    ProjectState state;
-    std::string sha256; ///< of the file that was read
-};
-
-Result<OpenedProject> openedProject(
-    const QString &path, const QStringList &otherFolders, const JobControl &control)
-{
-    const Result<ProjectFile> file = readProjectFile(path);
-    if (!file)
-        return tl::unexpected<Error>(file.error());
-    Result<ProjectState> state = openProject(*file, control, otherFolders);
-    if (!state)
-        return tl::unexpected<Error>(state.error());
-    return OpenedProject{std::move(*state), file->sha256};
-}
-
 bool isProject(const QString &path)
 {
     return QFileInfo(path).suffix() == kProjectSuffix;
@@ -60,6 +42,7 @@ FileActions::FileActions(Session &session, CurrentUtc currentUtc, Prompts &promp
     , m_prompts(prompts)
     , m_preferences(preferences)
     , m_window(window)
+    , m_holds(m_currentUtc, this)
     , m_jobs(this)
     , m_captures(session, preferences, window)
     , m_exports(session, m_currentUtc, prompts, preferences, window)
@@ -156,11 +139,13 @@ void FileActions::readRecordings(const QStringList &paths, bool add)
         m_captures.read(paths, add);
 }
 
-void FileActions::startJob(
-    const ProjectState &state, const QString &path, const ProjectFileHash &onDisk)
+void FileActions::startJob(const ProjectState &state, const QString &path,
+    const ProjectFileHash &onDisk, const ProjectAccess &access)
 {
     m_path = path;
     m_onDisk = onDisk;
+    m_holds.keep(access);
+    m_older.reset();
     m_session.reset(state);
     emit projectChanged();
 }
@@ -182,6 +167,13 @@ void FileActions::openExample()
             startJob({std::make_shared<const CaptureSet>(std::move(*set)), {}}, {});
         },
         [this](double done) { emit progress(done); });
+}
+
+void FileActions::openAgain()
+{
+    const QString path = m_path; // saving may choose another
+    if (!path.isEmpty() && mayDiscard())
+        openProjectFile(path);
 }
 
 void FileActions::openProject()
@@ -222,8 +214,9 @@ void FileActions::openProjectFile(const QString &path, const QStringList &otherF
         return;
     emit busy(tr("Opening project"));
     m_jobs.start<OpenedProject>(
-        [path, otherFolders](
-            const JobControl &control) { return openedProject(path, otherFolders, control); },
+        [path, otherFolders, request = m_holds.request()](const JobControl &control) {
+            return openedProject(path, otherFolders, request, control);
+        },
         [this, path, otherFolders](Result<OpenedProject> opened) {
             if (!opened) {
                 locateOrShow(opened.error(), path, otherFolders);
@@ -232,7 +225,9 @@ void FileActions::openProjectFile(const QString &path, const QStringList &otherF
             m_preferences.setLastFolder(QFileInfo(path).absolutePath());
             m_preferences.addRecentFile(path);
             emit idle(tr("Project opened"));
-            startJob(opened->state, path, opened->sha256);
+            startJob(opened->state, path, opened->sha256, opened->access);
+            m_older = opened->older;
+            emit projectChanged();
             if (!otherFolders.isEmpty()) // where they were found is worth a save
                 m_session.undoStack().resetClean();
         },
@@ -280,7 +275,9 @@ void FileActions::restoreWork(const RecoveredWork &work, const QString &recordin
                 emit restoreFailed(work.file, state.error());
                 return;
             }
-            startJob(*state, work.project, work.projectSha256);
+            startJob(*state, work.project, work.projectSha256,
+                work.project.isEmpty() ? ProjectAccess()
+                                       : accessTo(work.project, m_holds.request()));
             m_session.undoStack().resetClean();
             emit workRestored(work.file);
         },
@@ -311,7 +308,11 @@ void FileActions::openSensor(const std::string &planFolder, const PlannedSensor 
 
 bool FileActions::save()
 {
-    return m_path.isEmpty() ? saveAs() : saveTo(m_path, m_onDisk);
+    if (readOnlyReason()) { // it may have been closed there
+        m_holds.keep(accessTo(m_path, m_holds.request()));
+        emit projectChanged();
+    }
+    return m_path.isEmpty() || readOnlyReason() ? saveAs() : saveTo(m_path, m_onDisk);
 }
 
 bool FileActions::saveAs()
@@ -345,6 +346,11 @@ bool FileActions::saveTo(const QString &path, const ProjectFileHash &expected)
             tr("The recordings are still being read for their hashes, which the project keeps; try again in a moment."));
         return false;
     }
+    const ProjectAccess access = accessTo(path, m_holds.request());
+    if (access.readOnly) {
+        m_prompts.showProblem(m_window, translated(*access.readOnly));
+        return false;
+    }
     const QJsonObject kept = resultsToKeep();
     Result<std::string> saved = saveProject(path, m_session.state(), expected, kept);
     while (!saved && saved.error().findingId == kChangedMeanwhile) {
@@ -362,6 +368,8 @@ bool FileActions::saveTo(const QString &path, const ProjectFileHash &expected)
     }
     m_path = path;
     m_onDisk = *saved;
+    m_holds.keep(access);
+    m_older.reset();
     m_preferences.setLastFolder(QFileInfo(path).absolutePath());
     m_preferences.addRecentFile(path);
     m_session.undoStack().setClean();

@@ -9,6 +9,7 @@
 #include "ui/session/sensor_opening.h"
 #include "ui/session/session.h"
 #include "ui/shell/files/export_actions.h"
+#include "ui/shell/files/hold_keeper.h"
 #include "ui/shell/files/plot_export_actions.h"
 #include "ui/shell/import/capture_import.h"
 #include "ui/shell/preferences/preferences.h"
@@ -45,6 +46,8 @@ public:
     void restoreWork(const RecoveredWork &work, const QString &recordings = {});
     /// Opens a sensor of a batch as a new job: its recordings with its recipe (openSensor()).
     void openSensor(const std::string &planFolder, const PlannedSensor &sensor);
+    /// The project once more, as it is on the disk now.
+    void openAgain();
     void useProfile(); ///< asks for a laboratory's profile and puts it over the recipe
     bool save();
     bool saveAs();
@@ -73,6 +76,16 @@ public:
     QString projectName() const;
     QString projectPath() const { return m_path; } ///< empty = never saved
     const ProjectFileHash &projectHash() const { return m_onDisk; }
+    /// From now on others are told that a project is open here, by this account on this machine.
+    /// Without this call nobody is.
+    void holdProjectsAs(const std::string &name, const std::string &machine)
+    {
+        m_holds.holdAs(name, machine);
+    }
+    /// Why the project cannot be saved where it lies, if so.
+    const std::optional<Message> &readOnlyReason() const { return m_holds.access().readOnly; }
+    /// What is to be known before a project of an older version is saved.
+    const std::optional<Finding> &olderProject() const { return m_older; }
 
     /// Length of the built-in example; tests shorten it.
     void setExampleDuration(double seconds) { m_exampleDuration_s = seconds; }
@@ -81,15 +94,15 @@ signals:
     void busy(const QString &what);
     void progress(double fraction);
     void idle(const QString &outcome);
-    void projectChanged(); ///< name or modified state
+    void projectChanged(); ///< name, modified state, or whether it may be saved
     void workRestored(const QString &file);
     void restoreFailed(const QString &file, const dyncal::Error &error);
 
 private:
     QStringList askForCaptures();
     void readRecordings(const QStringList &paths, bool add);
-    void startJob(
-        const ProjectState &state, const QString &path, const ProjectFileHash &onDisk = {});
+    void startJob(const ProjectState &state, const QString &path,
+        const ProjectFileHash &onDisk = {}, const ProjectAccess &access = {});
     void locateOrShow(const Error &error, const QString &path, const QStringList &otherFolders);
     QJsonObject resultsToKeep() const;
     bool saveTo(const QString &path, const ProjectFileHash &expected);
@@ -103,6 +116,8 @@ private:
     QWidget *m_window;
     QString m_path; ///< of the project; empty = never saved
     ProjectFileHash m_onDisk; ///< the project's file as it was read or saved last
+    HoldKeeper m_holds;
+    std::optional<Finding> m_older;
     double m_exampleDuration_s = 0.02;
     JobRunner m_jobs;
     CaptureImport m_captures;
