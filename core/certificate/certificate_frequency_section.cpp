@@ -184,7 +184,7 @@ Message frequencyCell(
     const FrequencyLine &line, const UncertaintyReport &report, const std::vector<double> &sorted)
 {
     if (line.marks.empty())
-        return verbatim(frequencyText(sorted, line.frequency_Hz()));
+        return inNumbers(frequencyText(sorted, line.frequency_Hz()));
     std::vector<Message> names;
     for (const RowMark mark : line.marks)
         names.push_back({markWords(mark), {markedText(mark, report, sorted, line.frequency_Hz())}});
