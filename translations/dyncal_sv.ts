@@ -1453,6 +1453,93 @@ steget</translation>
     </message>
 </context>
 <context>
+    <name>HistoryRows</name>
+    <message>
+        <source>Natural frequency</source>
+        <translation>Egenfrekvens</translation>
+    </message>
+    <message>
+        <source>Damping ratio</source>
+        <translation>Dämpningsgrad</translation>
+    </message>
+    <message>
+        <source>Sensitivity</source>
+        <translation>Känslighet</translation>
+    </message>
+    <message>
+        <source>Magnitude</source>
+        <translation>Belopp</translation>
+    </message>
+    <message>
+        <source>Phase</source>
+        <translation>Fas</translation>
+    </message>
+    <message>
+        <source>● inside</source>
+        <translation>● innanför</translation>
+    </message>
+    <message>
+        <source>▲ beyond the warning limits</source>
+        <translation>▲ utanför varningsgränserna</translation>
+    </message>
+    <message>
+        <source>■ beyond the action limits</source>
+        <translation>■ utanför åtgärdsgränserna</translation>
+    </message>
+    <message>
+        <source>blocked: it states nothing</source>
+        <translation>spärrat: det anger ingenting</translation>
+    </message>
+    <message>
+        <source>not stated</source>
+        <translation>inte angivet</translation>
+    </message>
+    <message>
+        <source>without complete U</source>
+        <translation>utan fullständigt U</translation>
+    </message>
+    <message>
+        <source>other versions of the method than before</source>
+        <translation>andra versioner av metoden än förut</translation>
+    </message>
+    <message>
+        <source>results.json is not as the run wrote it</source>
+        <translation>results.json är inte som körningen skrev den</translation>
+    </message>
+    <message>
+        <source>A drift is stated from %1 calibrations with complete U on.</source>
+        <translation>En drift anges från och med %1 kalibreringar med fullständigt U.</translation>
+    </message>
+    <message>
+        <source>Drift in a year: %1 (k = %2, %3 calibrations).</source>
+        <translation>Drift på ett år: %1 (k = %2, %3 kalibreringar).</translation>
+    </message>
+    <message>
+        <source>Left out, withdrawn or replaced: %1</source>
+        <translation>Utelämnat, återkallat eller ersatt: %1</translation>
+    </message>
+    <message>
+        <source>Left out, a newer result of the same recordings counts: %1</source>
+        <translation>Utelämnat, ett nyare resultat av samma registreringar gäller: %1</translation>
+    </message>
+    <message>
+        <source>Left out, without serial number: %1</source>
+        <translation>Utelämnat, utan serienummer: %1</translation>
+    </message>
+    <message>
+        <source>%1 at %2</source>
+        <translation>%1 vid %2</translation>
+    </message>
+    <message>
+        <source>Control limits are drawn from %1 calibrations on.</source>
+        <translation>Styrgränser ritas från och med %1 kalibreringar.</translation>
+    </message>
+    <message>
+        <source>differs from the one before by more than U</source>
+        <translation>skiljer sig från den föregående med mer än U</translation>
+    </message>
+</context>
+<context>
     <name>ImportVerdict</name>
     <message>
         <source>The header says %1, the time column %2. Which one is right?</source>
@@ -2475,6 +2562,34 @@ steget</translation>
     <message>
         <source>Pressure up to %1 with its band of 95 %; recordings: %2.</source>
         <translation>Tryck upp till %1 med sitt band för 95 %; registreringar: %2.</translation>
+    </message>
+    <message>
+        <source>mean</source>
+        <translation>medelvärde</translation>
+    </message>
+    <message>
+        <source>warning limit</source>
+        <translation>varningsgräns</translation>
+    </message>
+    <message>
+        <source>action limit</source>
+        <translation>åtgärdsgräns</translation>
+    </message>
+    <message>
+        <source>Year</source>
+        <translation>År</translation>
+    </message>
+    <message>
+        <source>Calibrations</source>
+        <translation>Kalibreringar</translation>
+    </message>
+    <message>
+        <source>Conspicuous</source>
+        <translation>Avvikande</translation>
+    </message>
+    <message>
+        <source>%1 of a sensor over time, with U; %2 of %3 calibrations are conspicuous.</source>
+        <translation>%1 hos en givare över tid, med U; %2 av %3 kalibreringar avviker.</translation>
     </message>
 </context>
 <context>
@@ -11198,6 +11313,109 @@ steget</translation>
     </message>
 </context>
 <context>
+    <name>dyncal::HistoryTab</name>
+    <message>
+        <source>&amp;Results in</source>
+        <translation>&amp;Resultat i</translation>
+    </message>
+    <message>
+        <source>The folder of issued certificates, of results, or any folder above such</source>
+        <translation>Mappen med utfärdade bevis, med resultat, eller någon mapp ovanför sådana</translation>
+    </message>
+    <message>
+        <source>C&amp;hoose...</source>
+        <translation>Väl&amp;j ...</translation>
+    </message>
+    <message>
+        <source>&amp;Sensor</source>
+        <translation>&amp;Givare</translation>
+    </message>
+    <message>
+        <source>Serial number</source>
+        <translation>Serienummer</translation>
+    </message>
+    <message>
+        <source>&amp;Quantity</source>
+        <translation>St&amp;orhet</translation>
+    </message>
+    <message>
+        <source>S(f) &amp;at, in Hz</source>
+        <translation>S(f) vi&amp;d, i Hz</translation>
+    </message>
+    <message>
+        <source>1000; 10000</source>
+        <translation>1000; 10000</translation>
+    </message>
+    <message>
+        <source>Frequencies of which magnitude and phase are followed; the nearest row within 3 % serves</source>
+        <translation>Frekvenser vars belopp och fas följs; närmaste rad inom 3 % tjänar</translation>
+    </message>
+    <message>
+        <source>Sa&amp;ve table...</source>
+        <translation>Spara &amp;tabell ...</translation>
+    </message>
+    <message>
+        <source>Day</source>
+        <translation>Dag</translation>
+    </message>
+    <message>
+        <source>Certificate</source>
+        <translation>Bevis</translation>
+    </message>
+    <message>
+        <source>Value</source>
+        <translation>Värde</translation>
+    </message>
+    <message>
+        <source>U</source>
+        <translation>U</translation>
+    </message>
+    <message>
+        <source>k</source>
+        <translation>k</translation>
+    </message>
+    <message>
+        <source>E_n</source>
+        <translation>E_n</translation>
+    </message>
+    <message>
+        <source>Control chart</source>
+        <translation>Styrdiagram</translation>
+    </message>
+    <message>
+        <source>Remark</source>
+        <translation>Anmärkning</translation>
+    </message>
+    <message>
+        <source>Calibrations of the sensor</source>
+        <translation>Givarens kalibreringar</translation>
+    </message>
+    <message>
+        <source>%1 (%2)</source>
+        <translation>%1 (%2)</translation>
+    </message>
+    <message>
+        <source>Choose a folder with results of calibrations that state the serial number of the sensor.</source>
+        <translation>Välj en mapp med resultat av kalibreringar som anger givarens serienummer.</translation>
+    </message>
+    <message>
+        <source>Folder with results</source>
+        <translation>Mapp med resultat</translation>
+    </message>
+    <message>
+        <source>Save table</source>
+        <translation>Spara tabell</translation>
+    </message>
+    <message>
+        <source>Tables (*.csv)</source>
+        <translation>Tabeller (*.csv)</translation>
+    </message>
+    <message>
+        <source>The history is in %1.</source>
+        <translation>Historiken finns i %1.</translation>
+    </message>
+</context>
+<context>
     <name>dyncal::ImportChannelTable</name>
     <message>
         <source>Channels of the file</source>
@@ -13045,6 +13263,10 @@ steget</translation>
     <message>
         <source>Registries (*.sqlite);;All files (*)</source>
         <translation>Register (*.sqlite);;Alla filer (*)</translation>
+    </message>
+    <message>
+        <source>History</source>
+        <translation>Historik</translation>
     </message>
 </context>
 <context>

@@ -1,20 +1,17 @@
 // SPDX-FileCopyrightText: 2026 The Dyncal authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include "app/base/interrupt.h"
 #include "app/cli/console.h"
+#include "app/cli/history_reading.h"
 #include "app/cli/history_text.h"
+#include "app/cli/registry_options.h"
 #include "app/cli/verbs.h"
 
 #include "core/base/foreign_text.h"
 #include "core/base/writing/atomic_file.h"
-#include "core/history/history_files.h"
-#include "registry/issued/issued_files.h"
 
 #include <filesystem>
-#include <fstream>
 #include <iostream>
-#include <iterator>
 #include <memory>
 
 namespace dyncal {
@@ -31,56 +28,9 @@ struct HistoryOptions
     std::string sensor;
     std::vector<double> at_Hz;
     std::string output; ///< empty: no file is written
-    bool json = false;
+    std::string registry;
+    bool inForce = false, sensors = false, json = false;
 };
-
-std::optional<IssuedManifest> manifestBeside(const std::string &file)
-{
-    std::ifstream in(fs::path(file).parent_path() / kManifest, std::ios::binary);
-    return in ? parseManifest({std::istreambuf_iterator<char>(in), {}}) : std::nullopt;
-}
-
-/// What the manifest beside it says of these results.
-Result<EarlierCalibration> readCalibration(const std::string &file)
-{
-    Result<EarlierResults> read = readEarlierResults(file);
-    if (!read)
-        return tl::unexpected<Error>(read.error());
-    const auto manifest = manifestBeside(read->file);
-    const std::string name = fs::path(read->file).filename().string();
-    if (!manifest || !manifest->files.contains(name))
-        return earlierCalibration(std::move(*read));
-    if (manifest->files.at(name) != read->sha256)
-        return fail(ErrorKind::Usage,
-            {DYNCAL_TEXT("core",
-                 "%1 is not the file that was issued (the manifest of certificate %2 has another hash), so it is nobody's history; look with dyncal verify what was changed."),
-                {read->file, std::to_string(manifest->number)}});
-    return earlierCalibration(std::move(*read), manifest->number);
-}
-
-/// What can be read, and what cannot, with the reason.
-struct ReadCalibrations
-{
-    std::vector<EarlierCalibration> all;
-    std::vector<UnreadResults> unread;
-};
-
-Result<ReadCalibrations> readAll(const std::vector<std::string> &files)
-{
-    ReadCalibrations read;
-    for (const std::string &file : files) {
-        if (interruptToken().stop_requested())
-            return fail(ErrorKind::Cancelled, {DYNCAL_TEXT("core", "Stopped on request."), {}});
-        Result<EarlierCalibration> one = readCalibration(file);
-        if (one)
-            read.all.push_back(std::move(*one));
-        else
-            read.unread.push_back({file, english(one.error().message)});
-        if (!one)
-            report(one.error());
-    }
-    return read;
-}
 
 /// Never over what it is made from.
 Result<void> writeCsv(const HistoryOptions &options, const std::vector<std::string> &files,
@@ -105,6 +55,21 @@ ExitCode exitCodeOf(const SensorHistory &history, const std::vector<UnreadResult
     return history.isConspicuous() ? ExitCode::DoneWithCautions : ExitCode::Done;
 }
 
+std::string sensorsText(const std::vector<CalibrationCount> &sensors)
+{
+    std::string text;
+    for (const CalibrationCount &one : sensors)
+        text += presentableInBrief(one.serial) + "  " + std::to_string(one.calibrations) + '\n';
+    return text;
+}
+
+int listSensors(const HistoryOptions &options, const ReadCalibrations &read)
+{
+    const std::vector<CalibrationCount> sensors = sensorsOf(read.all);
+    std::cout << (options.json ? sensorsJson(sensors, read.unread) : sensorsText(sensors));
+    return static_cast<int>(read.unread.empty() ? ExitCode::Done : ExitCode::FileUnreadable);
+}
+
 int answer(
     const HistoryOptions &options, const std::vector<std::string> &files, ReadCalibrations read)
 {
@@ -125,11 +90,16 @@ int history(const HistoryOptions &options)
     const Result<std::vector<std::string>> files = resultsFilesOf(options.paths);
     if (!files)
         return report(files.error());
-    Result<ReadCalibrations> read = readAll(*files);
+    Result<ReadCalibrations> read = readCalibrations(*files);
     if (!read)
         return report(read.error());
     if (read->all.empty())
         return static_cast<int>(ExitCode::FileUnreadable); // each was told
+    if (options.sensors)
+        return listSensors(options, *read);
+    if (options.inForce)
+        if (const Result<void> asked = lookUpStates(options.registry, read->all); !asked)
+            return report(asked.error());
     return answer(options, *files, std::move(*read));
 }
 
@@ -153,6 +123,11 @@ void addHistory(CLI::App &program, VerbAction &action)
         ->type_name("F_HZ,...");
     verb->add_option("-o,--output", options->output, "Write a table of all values")
         ->type_name("HISTORY.csv");
+    verb->add_flag("--in-force", options->inForce,
+        "Leave out certificates that the registry says are withdrawn or replaced");
+    declareRegistry(*verb, options->registry);
+    verb->add_flag(
+        "--sensors", options->sensors, "Only list the sensors that there are results of");
     verb->add_flag("--json", options->json, "As JSON");
     verb->footer(
         "Exit codes: 0 done, 1 an E_n above 1 or a value beyond the warning limits, 3 a file cannot be\nread or is no results.json.\n\n"

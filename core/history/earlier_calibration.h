@@ -25,6 +25,9 @@ struct EarlierCalibration
     std::string createdUtc; ///< of the results
     std::optional<MethodVersions> methods; ///< empty: from before they were recorded
     std::string blocked; ///< why nothing could be issued; empty: it could
+    /// Why the laboratory does not stand by its certificate any more; empty: it does, or there is
+    /// none, or no registry was asked.
+    std::string notInForce = {};
     std::vector<std::string> recordings; ///< SHA-256 of each, sorted; empty: not stated
     nlohmann::json results;
     std::vector<Message> remarks;

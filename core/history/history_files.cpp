@@ -117,8 +117,17 @@ Record::Json leftOutJson(const LeftOutCalibration &one)
     Record record;
     record.set("file", one.file);
     setCertificate(record, one.number);
+    record.set("why", leftOutName(one.why));
     record.set("reason", one.reason);
     return record.take();
+}
+
+Record::Json unreadJson(const std::vector<UnreadResults> &unread)
+{
+    Record::Json list = Record::Json::array();
+    for (const UnreadResults &one : unread)
+        list.push_back({{"file", one.file}, {"reason", one.reason}});
+    return list;
 }
 
 /// A row of a table, cell by cell.
@@ -192,21 +201,28 @@ std::string historyJson(const SensorHistory &history, const std::vector<UnreadRe
     record.set("schema", "dyncal-history/1");
     record.set("sensor", history.sensor.serial);
     record.set("assumptions", historyAssumptions());
-    Record::Json points = Record::Json::array(), series = points, leftOut = points,
-                 notRead = points;
+    Record::Json points = Record::Json::array(), series = points, leftOut = points;
     for (std::size_t i = 0; i < history.sensor.points.size(); ++i)
         points.push_back(pointJson(history.sensor.points[i], history.methodChanges[i]));
     for (const HistorySeries &one : history.series)
         series.push_back(seriesJson(one));
     for (const LeftOutCalibration &one : history.sensor.leftOut)
         leftOut.push_back(leftOutJson(one));
-    for (const UnreadResults &one : unread)
-        notRead.push_back({{"file", one.file}, {"reason", one.reason}});
     record.set("points", std::move(points));
     record.set("series", std::move(series));
     record.set("left_out", std::move(leftOut));
-    record.set("unread", std::move(notRead));
+    record.set("unread", unreadJson(unread));
     return jsonText(record.take());
+}
+
+std::string sensorsJson(
+    const std::vector<CalibrationCount> &sensors, const std::vector<UnreadResults> &unread)
+{
+    Record::Json list = Record::Json::array();
+    for (const CalibrationCount &one : sensors)
+        list.push_back({{"serial", one.serial}, {"calibrations", one.calibrations}});
+    return jsonText({{"schema", "dyncal-history-sensors/1"}, {"sensors", std::move(list)},
+        {"unread", unreadJson(unread)}});
 }
 
 std::string historyCsv(const SensorHistory &history)

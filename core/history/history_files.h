@@ -22,6 +22,10 @@ struct UnreadResults
 std::string historyJson(
     const SensorHistory &history, const std::vector<UnreadResults> &unread = {});
 
+/// Schema "dyncal-history-sensors/1": `sensors[]` with `serial` and `calibrations`, `unread[]`.
+std::string sensorsJson(
+    const std::vector<CalibrationCount> &sensors, const std::vector<UnreadResults> &unread = {});
+
 /// A line for every value, series after series, each in the order of time: quantity, frequency_hz,
 /// unit, time, certificate, value, u, k, u_expanded, e_n, control_state, mean, warning_low,
 /// warning_high, action_low, action_high, drift_per_year, u_drift_per_year, methods_changed,

@@ -17,11 +17,8 @@ constexpr std::size_t kMostSerialsNamed = 12;
 std::vector<std::string> serialsOf(const std::vector<EarlierCalibration> &all)
 {
     std::vector<std::string> serials;
-    for (const EarlierCalibration &one : all)
-        if (!one.serial.empty())
-            serials.push_back(one.serial);
-    std::ranges::sort(serials);
-    serials.erase(std::unique(serials.begin(), serials.end()), serials.end());
+    for (const CalibrationCount &one : sensorsOf(all))
+        serials.push_back(one.serial);
     return serials;
 }
 
@@ -92,22 +89,51 @@ bool isEarlier(const EarlierCalibration &a, const EarlierCalibration &b)
     return std::tie(a.day, a.createdUtc, a.number) < std::tie(b.day, b.createdUtc, b.number);
 }
 
-/// Those of one sensor; what states no serial number is left out.
+/// Those of one sensor that count; what states no serial number and what is not in force is left
+/// out.
 std::vector<EarlierCalibration> ofSensor(
     std::vector<EarlierCalibration> all, SensorCalibrations &sensor)
 {
     std::vector<EarlierCalibration> own;
     for (EarlierCalibration &one : all) {
-        if (one.serial == sensor.serial)
-            own.push_back(std::move(one));
-        else if (one.serial.empty())
+        if (one.serial.empty())
+            sensor.leftOut.push_back({one.file, one.number, LeftOutFor::NoSerial,
+                "It states no serial number of its sensor."});
+        else if (one.serial == sensor.serial && !one.notInForce.empty())
             sensor.leftOut.push_back(
-                {one.file, one.number, "It states no serial number of its sensor."});
+                {one.file, one.number, LeftOutFor::NotInForce, one.notInForce});
+        else if (one.serial == sensor.serial)
+            own.push_back(std::move(one));
     }
     return own;
 }
 
 } // namespace
+
+const char *leftOutName(LeftOutFor why)
+{
+    switch (why) {
+    case LeftOutFor::SameRecordings:
+        return "same_recordings";
+    case LeftOutFor::NotInForce:
+        return "not_in_force";
+    case LeftOutFor::NoSerial:
+        break;
+    }
+    return "no_serial";
+}
+
+std::vector<CalibrationCount> sensorsOf(const std::vector<EarlierCalibration> &all)
+{
+    std::map<std::string, Index> counts;
+    for (const EarlierCalibration &one : all)
+        if (!one.serial.empty())
+            ++counts[one.serial];
+    std::vector<CalibrationCount> sensors;
+    for (const auto &[serial, calibrations] : counts)
+        sensors.push_back({serial, calibrations});
+    return sensors;
+}
 
 std::string calibrationName(Index number, const std::string &file)
 {
@@ -127,7 +153,8 @@ Result<SensorCalibrations> calibrationsOfSensor(
         if (reasons[i].empty())
             sensor.points.push_back(std::move(own[i]));
         else
-            sensor.leftOut.push_back({own[i].file, own[i].number, reasons[i]});
+            sensor.leftOut.push_back(
+                {own[i].file, own[i].number, LeftOutFor::SameRecordings, reasons[i]});
     }
     std::ranges::stable_sort(sensor.points, isEarlier);
     return sensor;

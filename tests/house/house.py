@@ -9,6 +9,9 @@ house.py rings ROOT   units (header and source of one name) that include each ot
 house.py bars ROOT    lines of files and functions, lines of tests to lines of source, by layer and
                       room, as a table; fails where a file or function is too long or a room has too few
                       tests. Needs universal-ctags.
+house.py names ROOT   types, and functions defined in headers, of which there are two of one full name: the
+                      linker would take either for both. What only link-time types see, .ci/long odr tells.
+                      Needs universal-ctags.
 """
 import json
 import re
@@ -97,14 +100,31 @@ def check_rings(root):
     return errors
 
 
+def tags_of(root, kinds, *folders):
+    listing = subprocess.run(
+        ["ctags", "-R", "--languages=C++", "--langmap=C++:.h.cpp", f"--kinds-C++={kinds}",
+         "--fields=+neSsZ", "--output-format=json", "-f", "-", *folders],
+        cwd=root, check=True, capture_output=True, text=True).stdout
+    return [json.loads(line) for line in listing.splitlines()]
+
+
 def functions_of(root, layer):
     """(lines, path, name) of every function."""
-    listing = subprocess.run(
-        ["ctags", "-R", "--languages=C++", "--langmap=C++:.h.cpp", "--kinds-C++=f",
-         "--fields=+ne", "--output-format=json", "-f", "-", layer],
-        cwd=root, check=True, capture_output=True, text=True).stdout
-    tags = [json.loads(line) for line in listing.splitlines()]
-    return [(t["end"] - t["line"] + 1, t["path"], t["name"]) for t in tags if "end" in t]
+    return [(t["end"] - t["line"] + 1, t["path"], t["name"])
+            for t in tags_of(root, "f", layer) if "end" in t]
+
+
+def check_names(root):
+    """Names of an anonymous namespace are a file's own."""
+    places = defaultdict(set)
+    for tag in tags_of(root, "csguf", *LAYERS):
+        name = f'{tag.get("scope", "")}::{tag["name"]}'
+        if "__anon" in name or tag["kind"] == "function" and not tag["path"].endswith(".h"):
+            continue
+        places[name + tag.get("signature", "")].add(f'{tag["path"]}:{tag["line"]}')
+    print(f"{len(places)} names")
+    return [f"{name} is defined more than once: {', '.join(sorted(where))}"
+            for name, where in places.items() if len(where) > 1]
 
 
 def lines_of(root, paths):
@@ -167,7 +187,7 @@ def check_bars(root):
 
 
 def main():
-    checks = {"rings": check_rings, "bars": check_bars}
+    checks = {"rings": check_rings, "bars": check_bars, "names": check_names}
     if len(sys.argv) != 3 or sys.argv[1] not in checks:
         sys.exit(__doc__)
     errors = checks[sys.argv[1]](Path(sys.argv[2]))

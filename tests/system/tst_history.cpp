@@ -81,6 +81,9 @@ private slots:
     void csv_isWritten();
     void stableSensor_isDone();
     void severalSensors_areAskedFor();
+    void sensors_areListed();
+    void withdrawnAndReplaced_areLeftOut();
+    void anotherRegistry_saysNothing();
     void unreadable_isSaidAndTheOthersShown();
     void changedCertificate_isRefused();
     void inputs_areNeverReplaced();
@@ -196,6 +199,65 @@ void TestHistory::severalSensors_areAskedFor()
     const Answer chosen = runDyncal({"history", folder.path(), "--sensor", "18", "--json"});
     QCOMPARE(chosen.exitCode, 0);
     QCOMPARE(parsed(chosen.out)["points"].size(), std::size_t(2));
+}
+
+void TestHistory::sensors_areListed()
+{
+    const QTemporaryDir folder;
+    QVERIFY(write(folder, {{2021}, {2022, 1.0, "18"}, {2023, 1.0, "18"}}));
+    QCOMPARE(runDyncal({"history", folder.path(), "--sensors"}).out, QByteArray("17  1\n18  2\n"));
+    const Answer answer = runDyncal({"history", folder.path(), "--sensors", "--json"});
+    QCOMPARE(answer.exitCode, 0);
+    QCOMPARE(parsed(answer.out)["sensors"].dump(),
+        std::string(R"([{"calibrations":1,"serial":"17"},{"calibrations":2,"serial":"18"}])"));
+}
+
+void TestHistory::withdrawnAndReplaced_areLeftOut()
+{
+    const IssuedJob job;
+    QVERIFY(job.begin(m_simulated.filePath("shot.h5")));
+    QVERIFY(job.issue().exitCode <= 1);
+    const QStringList asked{
+        "history", job.output(), "--in-force", "--registry", job.registry(), "--json"};
+    QCOMPARE(parsed(runDyncal(asked).out)["points"].size(), std::size_t(1));
+    QVERIFY(job.issue({"--amends", "1", "--reason", "another template"}).exitCode <= 1);
+    nlohmann::json root = parsed(runDyncal(asked).out);
+    QCOMPARE(root["points"].size(), std::size_t(1));
+    QCOMPARE(root["points"][0]["certificate"].get<int>(), 2);
+    QCOMPARE(root["left_out"][0]["why"].get<std::string>(), std::string("not_in_force"));
+    QCOMPARE(root["left_out"][0]["reason"].get<std::string>(),
+        std::string("Certificate 1 was replaced by certificate 2."));
+    QCOMPARE(runDyncal({"withdraw", "2", "--reason", "wrong gas", "--registry", job.registry()})
+                 .exitCode,
+        0);
+    root = parsed(runDyncal(asked).out);
+    QCOMPARE(root["points"].size(), std::size_t(0));
+    QCOMPARE(root["left_out"][1]["reason"].get<std::string>(),
+        std::string("Certificate 2 was withdrawn: wrong gas"));
+}
+
+/// Its certificate 1 is another one.
+void TestHistory::anotherRegistry_saysNothing()
+{
+    const IssuedJob other;
+    QVERIFY(other.begin(m_simulated.filePath("shot.h5"), [] {
+        QJsonObject recipe = completeRecipe();
+        QJsonObject fields = completeFields();
+        fields["customer"] = "Another Ltd";
+        recipe["certificate"] = QJsonObject{{"fields", fields}};
+        return recipe;
+    }()));
+    QVERIFY(other.issue().exitCode <= 1);
+    QCOMPARE(
+        runDyncal({"withdraw", "1", "--reason", "lost", "--registry", other.registry()}).exitCode,
+        0);
+    const Answer answer = runDyncal(
+        {"history", certificate(), "--in-force", "--registry", other.registry(), "--json"});
+    QCOMPARE(answer.exitCode, 0);
+    QCOMPARE(parsed(answer.out)["points"].size(), std::size_t(1));
+    const Answer lost = runDyncal(
+        {"history", certificate(), "--in-force", "--registry", "/nowhere/registry.sqlite"});
+    QVERIFY2(lost.exitCode > 1 && lost.complaints().size() == 1, lost.err);
 }
 
 void TestHistory::unreadable_isSaidAndTheOthersShown()

@@ -3,6 +3,7 @@
 
 #include "ui/shell/tool_windows.h"
 
+#include "ui/shell/files/file_actions.h"
 #include "ui/shell/preferences/language.h"
 #include "ui/shell/registry/issue_dialog.h"
 #include "ui/shell/registry/registry_window.h"
@@ -53,8 +54,10 @@ void ToolWindows::correctRecording()
 
 void ToolWindows::showRegistry()
 {
-    if (!m_registry)
+    if (!m_registry) {
         m_registry = new RegistryWindow(m_parts.prompts, m_parts.preferences, m_window);
+        connect(m_registry, &RegistryWindow::plotExport, &m_parts.files, &FileActions::exportPlot);
+    }
     bringToFront(*m_registry);
 }
 

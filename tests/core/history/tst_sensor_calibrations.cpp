@@ -47,6 +47,8 @@ private slots:
     void manySensors_areNotAllNamed();
     void unknownSensor_isRefused();
     void withoutSerial_isLeftOutAndSaid();
+    void notInForce_isLeftOutAndSaid();
+    void sensors_areCounted();
     void noneWithSerial_isRefused();
     void sameRecordings_countOnce();
     void newestOfThree_standsForTheOthers();
@@ -133,6 +135,36 @@ void TestSensorCalibrations::withoutSerial_isLeftOutAndSaid()
     QCOMPARE(filesOf(found.points), std::string("0"));
     QCOMPARE(filesOf(found.leftOut), std::string("1"));
     QVERIFY(found.leftOut[0].reason.find("serial number") != std::string::npos);
+}
+
+/// A withdrawn certificate does not stand for another result of the same recordings either.
+void TestSensorCalibrations::notInForce_isLeftOutAndSaid()
+{
+    auto all = madeCalibrations({{.day = "2021-03-01", .recording = "same"},
+        {.day = "2021-03-01", .recording = "same", .createdUtc = "2027-01-01T00:00:00Z"},
+        {.day = "2022-03-01"}});
+    all[1].notInForce = "Certificate 2 was withdrawn: wrong gas";
+    const SensorCalibrations sensor = calibrationsOfSensor(all, {}).value();
+    QCOMPARE(filesOf(sensor.points), std::string("0 2"));
+    QCOMPARE(filesOf(sensor.leftOut), std::string("1"));
+    QVERIFY(sensor.leftOut[0].why == LeftOutFor::NotInForce);
+    QCOMPARE(sensor.leftOut[0].reason, all[1].notInForce);
+    QCOMPARE(leftOutName(LeftOutFor::NotInForce), "not_in_force");
+    QCOMPARE(leftOutName(LeftOutFor::NoSerial), "no_serial");
+    QCOMPARE(leftOutName(LeftOutFor::SameRecordings), "same_recordings");
+}
+
+void TestSensorCalibrations::sensors_areCounted()
+{
+    const auto sensors
+        = sensorsOf(madeCalibrations({{.day = "2021-03-01", .serial = "18"}, {.day = "2022-03-01"},
+            {.day = "2023-03-01", .serial = "18"}, {.day = "2024-03-01", .serial = ""}}));
+    QCOMPARE(sensors.size(), std::size_t(2));
+    QCOMPARE(
+        sensors[0].serial + ' ' + std::to_string(sensors[0].calibrations), std::string("17 1"));
+    QCOMPARE(
+        sensors[1].serial + ' ' + std::to_string(sensors[1].calibrations), std::string("18 2"));
+    QVERIFY(sensorsOf({}).empty());
 }
 
 void TestSensorCalibrations::noneWithSerial_isRefused()

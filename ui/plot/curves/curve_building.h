@@ -45,6 +45,19 @@ std::vector<double> toVector(const Eigen::Ref<const Eigen::VectorXd> &values);
 /// first, first + step, ...: `count` values.
 std::vector<double> timeAxis(double first, double step, Index count);
 
+/// A value with its U at a place of the axis; U NaN: not known.
+struct BarPoint
+{
+    double x = 0.0;
+    double y = 0.0;
+    double U = 0.0;
+};
+using BarPoints = std::vector<BarPoint>;
+
+/// Markers of the values with bars of ± U beneath, as two curves; nothing where there are none.
+void addWithBars(
+    const QString &name, CurveRole role, const BarPoints &points, PlotContent &content);
+
 /// 10 log10; NaN (a gap) where there is no power.
 std::vector<double> decibels(const Eigen::VectorXd &power);
 

@@ -14,15 +14,6 @@ namespace dyncal {
 
 namespace {
 
-/// A value with its U at a place of the axis.
-struct BarPoint
-{
-    double x;
-    double y;
-    double U;
-};
-using BarPoints = std::vector<BarPoint>;
-
 BarPoints pointsOfRows(const ResponseResult &response, const RowUncertainty &rows)
 {
     BarPoints points;
@@ -52,20 +43,6 @@ BarPoints pointsOfKnown(const std::vector<KnownValue> &known, double static_Hz)
     return points;
 }
 
-void addPoints(const QString &name, CurveRole role, const BarPoints &points, PlotContent &content)
-{
-    PlotCurve bars{Plots::tr("%1, ± U").arg(name), role, CurveStyle::Line, {}, {}, true};
-    PlotCurve dots{name, role, CurveStyle::Markers, {}, {}, true};
-    for (const BarPoint &point : points) {
-        dots.x.push_back(point.x);
-        dots.y.push_back(point.y);
-        bars.x.insert(bars.x.end(), 3, point.x);
-        bars.y.insert(bars.y.end(), {point.y - point.U, point.y + point.U, std::nan("")});
-    }
-    if (!points.empty())
-        content.curves.insert(content.curves.end(), {std::move(bars), std::move(dots)});
-}
-
 BarPoints asPercentFrom(double sensitivity, BarPoints points)
 {
     const double toPercent = 100.0 / sensitivity;
@@ -78,8 +55,8 @@ PlotContent withPoints(const BarPoints &rows, const BarPoints &known)
 {
     PlotContent content;
     content.xAxis = frequencyAxisMeaning();
-    addPoints(Plots::tr("This calibration"), CurveRole::ShotLow, rows, content);
-    addPoints(Plots::tr("Other calibrations"), CurveRole::ShotHigh, known, content);
+    addWithBars(Plots::tr("This calibration"), CurveRole::ShotLow, rows, content);
+    addWithBars(Plots::tr("Other calibrations"), CurveRole::ShotHigh, known, content);
     return content;
 }
 

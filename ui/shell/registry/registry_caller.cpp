@@ -62,9 +62,11 @@ void RegistryCaller::finish(ProgramCall *call, const ProgramAnswer &answer, cons
     call->deleteLater();
     --m_running;
     emit busyChanged();
-    if (const QString problem = problemOf(answer); !problem.isEmpty())
+    const QString problem = problemOf(answer);
+    if (!problem.isEmpty())
         emit failed(problem);
-    else if (!answer.isStopped)
+    const bool isPartlyRead = isRead(call) && !answer.isCrash && !answer.out.isEmpty();
+    if (!answer.isStopped && (problem.isEmpty() || isPartlyRead))
         then(answer);
 }
 

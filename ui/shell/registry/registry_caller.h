@@ -42,7 +42,8 @@ public:
     /// failed().
     ProgramCall *call(QStringList arguments, const Then &then);
     /// The same to show something: an answer that `reader` still waits for is given up, as it would
-    /// be of an earlier moment, or of another registry.
+    /// be of an earlier moment, or of another registry. Where some of it could not be read, that
+    /// is said and the rest shown.
     void read(const QObject &reader, const QStringList &arguments, const Then &then);
     bool isBusy() const { return m_running > 0; }
 
@@ -52,6 +53,7 @@ signals:
 
 private:
     void finish(ProgramCall *call, const ProgramAnswer &answer, const Then &then);
+    bool isRead(ProgramCall *call) const { return m_reads.key(call) != nullptr; }
 
     Preferences &m_preferences;
     QString m_program;

@@ -6,6 +6,7 @@
 #include "ui/shell/preferences/preferences.h"
 #include "ui/shell/registry/cards_tab.h"
 #include "ui/shell/registry/certificates_tab.h"
+#include "ui/shell/registry/history_tab.h"
 #include "ui/shell/registry/trail_tab.h"
 #include "ui/shell/registry/verify_tab.h"
 #include "ui/stages/frame/prompts.h"
@@ -41,6 +42,7 @@ RegistryWindow::RegistryWindow(Prompts &prompts, Preferences &preferences, QWidg
     , m_trail(new TrailTab(m_caller, this))
     , m_cards(new CardsTab(m_caller, prompts, preferences, this))
     , m_verify(new VerifyTab(m_caller, prompts, preferences, this))
+    , m_history(new HistoryTab(m_caller, prompts, preferences, this))
     , m_progress(new QProgressBar(this))
     , m_outcome(new QLabel(this))
 {
@@ -57,7 +59,7 @@ RegistryWindow::RegistryWindow(Prompts &prompts, Preferences &preferences, QWidg
     m_outcome->setObjectName("registryOutcome");
     m_outcome->setWordWrap(true);
     for (QWidget *tab :
-        std::initializer_list<QWidget *>{m_certificates, m_trail, m_cards, m_verify})
+        std::initializer_list<QWidget *>{m_certificates, m_trail, m_cards, m_verify, m_history})
         m_tabs->addTab(tab, {});
     auto *line = new QHBoxLayout;
     line->addWidget(m_addressLabel);
@@ -76,6 +78,13 @@ RegistryWindow::RegistryWindow(Prompts &prompts, Preferences &preferences, QWidg
     connect(m_refresh, &QPushButton::clicked, this, &RegistryWindow::refresh);
     connect(&m_caller, &RegistryCaller::busyChanged, this,
         [this] { m_progress->setVisible(m_caller.isBusy()); });
+    connectTabs();
+    resize(kFirstSizeOfWindow);
+    showWords();
+}
+
+void RegistryWindow::connectTabs()
+{
     connect(&m_caller, &RegistryCaller::failed, m_outcome, &QLabel::setText);
     const auto follow = [this](const QString &sentence) {
         refresh();
@@ -83,8 +92,8 @@ RegistryWindow::RegistryWindow(Prompts &prompts, Preferences &preferences, QWidg
     };
     connect(m_certificates, &CertificatesTab::changed, this, follow);
     connect(m_cards, &CardsTab::changed, this, follow);
-    resize(kFirstSizeOfWindow);
-    showWords();
+    connect(m_history, &HistoryTab::written, m_outcome, &QLabel::setText);
+    connect(m_history, &HistoryTab::plotExport, this, &RegistryWindow::plotExport);
 }
 
 void RegistryWindow::showWords()
@@ -97,13 +106,15 @@ void RegistryWindow::showWords()
     m_choose->setText(tr("&Choose..."));
     m_refresh->setText(tr("Re&fresh"));
     m_progress->setAccessibleName(tr("The registry is being read or changed"));
-    const QStringList titles{tr("Certificates"), tr("Audit trail"), tr("Cards"), tr("Verify")};
+    const QStringList titles{
+        tr("Certificates"), tr("Audit trail"), tr("Cards"), tr("Verify"), tr("History")};
     for (int tab = 0; tab < titles.size(); ++tab)
         m_tabs->setTabText(tab, titles[tab]);
     m_certificates->showWords();
     m_trail->showWords();
     m_cards->showWords();
     m_verify->showWords();
+    m_history->showWords();
 }
 
 void RegistryWindow::refresh()
@@ -112,6 +123,7 @@ void RegistryWindow::refresh()
     m_certificates->refresh();
     m_trail->refresh();
     m_cards->refresh();
+    m_history->refresh();
 }
 
 void RegistryWindow::useAddress()

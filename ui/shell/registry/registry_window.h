@@ -3,6 +3,7 @@
 
 #pragma once
 
+#include "ui/plot/widget/plot_widget.h"
 #include "ui/shell/registry/registry_caller.h"
 
 #include <QDialog>
@@ -17,14 +18,15 @@ namespace dyncal {
 
 class CardsTab;
 class CertificatesTab;
+class HistoryTab;
 class Preferences;
 class Prompts;
 class TrailTab;
 class VerifyTab;
 
 /// File > Registry: the certificates of the laboratory, their audit trail, the cards that fill
-/// certificates, and the verification of what was issued. A window of its own, beside which work
-/// goes on.
+/// certificates, the verification of what was issued, and the history of a sensor. A window of its
+/// own, beside which work goes on.
 class RegistryWindow : public QDialog
 {
     Q_OBJECT
@@ -37,11 +39,15 @@ public:
     bool isBusy() const { return m_caller.isBusy(); }
     void refresh();
 
+signals:
+    void plotExport(const dyncal::PlotWidget *plot); ///< the operator wants it as a file
+
 protected:
     void changeEvent(QEvent *event) override;
     void showEvent(QShowEvent *event) override;
 
 private:
+    void connectTabs();
     void showWords();
     void useAddress();
     void askForFile();
@@ -58,6 +64,7 @@ private:
     TrailTab *m_trail;
     CardsTab *m_cards;
     VerifyTab *m_verify;
+    HistoryTab *m_history;
     QProgressBar *m_progress;
     QLabel *m_outcome;
 };
