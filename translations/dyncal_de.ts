@@ -699,6 +699,34 @@
         <source>Power spectrum; main resonance at %1.</source>
         <translation>Leistungsspektrum; Hauptresonanz bei %1.</translation>
     </message>
+    <message>
+        <source>mean</source>
+        <translation>Mittel</translation>
+    </message>
+    <message>
+        <source>warning limit</source>
+        <translation>Warngrenze</translation>
+    </message>
+    <message>
+        <source>action limit</source>
+        <translation>Eingriffsgrenze</translation>
+    </message>
+    <message>
+        <source>Year</source>
+        <translation>Jahr</translation>
+    </message>
+    <message>
+        <source>Calibrations</source>
+        <translation>Kalibrierungen</translation>
+    </message>
+    <message>
+        <source>Conspicuous</source>
+        <translation>Auffällig</translation>
+    </message>
+    <message>
+        <source>%1 of a sensor over time, with U; %2 of %3 calibrations are conspicuous.</source>
+        <translation>%1 eines Aufnehmers über der Zeit, mit U; %2 von %3 Kalibrierungen sind auffällig.</translation>
+    </message>
 </context>
 <context>
     <name>RecipeLabel</name>
@@ -790,11 +818,11 @@
     </message>
     <message>
         <source>Undamped frequency</source>
-        <translation>Ungedämpfte Frequenz</translation>
+        <translation>Unge­dämpfte Frequenz</translation>
     </message>
     <message>
         <source>Damping ratio</source>
-        <translation>Dämpfungsgrad</translation>
+        <translation>Dämpfungs­grad</translation>
     </message>
     <message>
         <source>Size, of the plateau</source>
@@ -810,7 +838,7 @@
     </message>
     <message>
         <source>Oscillations</source>
-        <translation>Schwingungen</translation>
+        <translation>Schwin­gungen</translation>
     </message>
     <message>
         <source>Fit</source>
@@ -866,11 +894,11 @@
     </message>
     <message>
         <source>agrees, joined</source>
-        <translation>stimmt überein, zusammengeführt</translation>
+        <translation>stimmt überein, zusammen­geführt</translation>
     </message>
     <message>
         <source>differs, not joined</source>
-        <translation>weicht ab, nicht zusammengeführt</translation>
+        <translation>weicht ab, nicht zusammen­geführt</translation>
     </message>
     <message>
         <source>Values of other calibrations of the item, beside those of this one</source>
@@ -878,7 +906,7 @@
     </message>
     <message>
         <source>Calibration</source>
-        <translation>Kalibrierung</translation>
+        <translation>Kalibrie­rung</translation>
     </message>
     <message>
         <source>Frequency</source>
@@ -890,7 +918,7 @@
     </message>
     <message>
         <source>This calibration</source>
-        <translation>Diese Kalibrierung</translation>
+        <translation>Diese Kalibrie­rung</translation>
     </message>
     <message>
         <source>En</source>
@@ -1042,7 +1070,7 @@
     </message>
     <message>
         <source>Overshoot</source>
-        <translation>Überschwingen</translation>
+        <translation>Über­schwingen</translation>
     </message>
     <message>
         <source>Settling time, within 5 %</source>
@@ -1126,11 +1154,11 @@
     </message>
     <message>
         <source>Signal to noise is the largest deflection over the standard deviation of the noise before it. No uncertainty is known of the deflection: it has three significant digits.</source>
-        <translation>Der Signal-Rausch-Abstand ist der größte Ausschlag, bezogen auf die Standardabweichung des Rauschens davor. Vom Ausschlag ist keine Unsicherheit bekannt: Er hat drei signifikante Stellen.</translation>
+        <translation>Der Rauschabstand ist der größte Ausschlag, bezogen auf die Standardabweichung des Rauschens davor. Vom Ausschlag ist keine Unsicherheit bekannt: Er hat drei signifikante Stellen.</translation>
     </message>
     <message>
         <source>Signal to noise is the output step over the standard deviation of the noise before it. Rise time 10 % to 90 %; settling to within 5 % of the step. Values without an uncertainty have none that is known: they have three significant digits.</source>
-        <translation>Der Signal-Rausch-Abstand ist der Sprung am Ausgang, bezogen auf die Standardabweichung des Rauschens davor. Anstiegszeit 10 % bis 90 %; Einschwingen auf 5 % des Sprungs. Werte ohne Unsicherheit haben keine, die bekannt wäre: Sie haben drei signifikante Stellen.</translation>
+        <translation>Der Rauschabstand ist der Sprung am Ausgang, bezogen auf die Standardabweichung des Rauschens davor. Anstiegszeit 10 % bis 90 %; Einschwingen auf 5 % des Sprungs. Werte ohne Unsicherheit haben keine, die bekannt wäre: Sie haben drei signifikante Stellen.</translation>
     </message>
     <message>
         <source>not determined (no level at the onset)</source>
@@ -1242,11 +1270,11 @@
     </message>
     <message>
         <source>stated</source>
-        <translation>angegeben</translation>
+        <translation>ange­geben</translation>
     </message>
     <message>
         <source>computed</source>
-        <translation>berechnet</translation>
+        <translation>berech­net</translation>
     </message>
     <message>
         <source>Pressure steps</source>
@@ -1258,15 +1286,15 @@
     </message>
     <message>
         <source>Initial pressure</source>
-        <translation>Anfangsdruck</translation>
+        <translation>Anfangs­druck</translation>
     </message>
     <message>
         <source>Initial temperature</source>
-        <translation>Anfangstemperatur</translation>
+        <translation>Anfangs­temperatur</translation>
     </message>
     <message>
         <source>Shock velocity</source>
-        <translation>Geschwindigkeit der Stoßwelle</translation>
+        <translation>Geschwindig­keit der Stoß­welle</translation>
     </message>
     <message>
         <source>Mach number</source>
@@ -1274,7 +1302,7 @@
     </message>
     <message>
         <source>Pressure step</source>
-        <translation>Drucksprung</translation>
+        <translation>Druck­sprung</translation>
     </message>
     <message>
         <source>Step is</source>
@@ -1325,32 +1353,32 @@
         <translation>Kein Drucksprung ist bestimmt: Weder ein Sprung noch eine Geschwindigkeit der Stoßwelle mit Anfangsdruck und Anfangstemperatur wurde angegeben. Es kann keine Empfindlichkeit in der Einheit des Drucks angegeben werden.</translation>
     </message>
     <message>
-        <source>lower limit %1</source>
-        <translation>untere Grenze %1</translation>
+        <source>lower limit %L1</source>
+        <translation>untere Grenze %L1</translation>
     </message>
     <message>
-        <source>edge 5 %: %1</source>
-        <translation>Bandkante 5 %: %1</translation>
+        <source>edge 5 %: %L1</source>
+        <translation>Bandkante 5 %: %L1</translation>
     </message>
     <message>
-        <source>edge 10 %: %1</source>
-        <translation>Bandkante 10 %: %1</translation>
+        <source>edge 10 %: %L1</source>
+        <translation>Bandkante 10 %: %L1</translation>
     </message>
     <message>
-        <source>edge -3 dB: %1</source>
-        <translation>Bandkante -3 dB: %1</translation>
+        <source>edge -3 dB: %L1</source>
+        <translation>Bandkante -3 dB: %L1</translation>
     </message>
     <message>
-        <source>resonance %1</source>
-        <translation>Resonanz %1</translation>
+        <source>resonance %L1</source>
+        <translation>Resonanz %L1</translation>
     </message>
     <message>
-        <source>compared at %1</source>
-        <translation>verglichen bei %1</translation>
+        <source>compared at %L1</source>
+        <translation>verglichen bei %L1</translation>
     </message>
     <message>
-        <source>upper limit %1</source>
-        <translation>obere Grenze %1</translation>
+        <source>upper limit %L1</source>
+        <translation>obere Grenze %L1</translation>
     </message>
     <message>
         <source>Magnitude</source>
@@ -1646,11 +1674,11 @@
     </message>
     <message>
         <source>Sample rate</source>
-        <translation>Abtastrate</translation>
+        <translation>Abtast­rate</translation>
     </message>
     <message>
         <source>Largest deflection</source>
-        <translation>Größter Ausschlag</translation>
+        <translation>Größter Aus­schlag</translation>
     </message>
     <message>
         <source>Output step</source>
@@ -1658,19 +1686,19 @@
     </message>
     <message>
         <source>Signal to noise</source>
-        <translation>Signal-Rausch-Abstand</translation>
+        <translation>Rausch­abstand</translation>
     </message>
     <message>
         <source>Rise time</source>
-        <translation>Anstiegszeit</translation>
+        <translation>Anstiegs­zeit</translation>
     </message>
     <message>
         <source>Settling time</source>
-        <translation>Einschwingzeit</translation>
+        <translation>Einschwing­zeit</translation>
     </message>
     <message>
         <source>Sensitivity</source>
-        <translation>Empfindlichkeit</translation>
+        <translation>Empfind­lichkeit</translation>
     </message>
     <message>
         <source>sensor</source>
@@ -1702,7 +1730,7 @@
     </message>
     <message>
         <source>Amplitude</source>
-        <translation>Amplitude</translation>
+        <translation>Ampli­tude</translation>
     </message>
     <message>
         <source>Results in detail</source>
@@ -1786,7 +1814,7 @@
     </message>
     <message>
         <source>%1 contradict each other</source>
-        <translation>%1 widersprechen einander</translation>
+        <translation>%1 wider­sprechen einander</translation>
     </message>
     <message>
         <source>No quantity was known in two independent ways.</source>
@@ -1810,7 +1838,7 @@
     </message>
     <message>
         <source>Largest difference, u</source>
-        <translation>Größte Differenz, u</translation>
+        <translation>Größte Diffe­renz, u</translation>
     </message>
     <message>
         <source>Fault seen in 90 %</source>
@@ -1930,7 +1958,7 @@
     </message>
     <message>
         <source>Accepted because</source>
-        <translation>Angenommen, weil</translation>
+        <translation>Ange­nommen, weil</translation>
     </message>
     <message>
         <source>blocking</source>
@@ -1998,7 +2026,7 @@
     </message>
     <message>
         <source>Velocity</source>
-        <translation>Geschwindigkeit</translation>
+        <translation>Geschwin­digkeit</translation>
     </message>
     <message>
         <source>Travel time</source>
@@ -2014,19 +2042,19 @@
     </message>
     <message>
         <source>Driver pressure</source>
-        <translation>Treiberdruck</translation>
+        <translation>Treiber­druck</translation>
     </message>
     <message>
         <source>Sensitivity, shot against shots</source>
-        <translation>Empfindlichkeit, Schuss gegen Schüsse</translation>
+        <translation>Empfind­lichkeit, Schuss gegen Schüsse</translation>
     </message>
     <message>
         <source>Order of the levels</source>
-        <translation>Reihenfolge der Stufen</translation>
+        <translation>Reihen­folge der Stufen</translation>
     </message>
     <message>
         <source>typed</source>
-        <translation>eingegeben</translation>
+        <translation>einge­geben</translation>
     </message>
     <message>
         <source>counters</source>
@@ -2046,7 +2074,7 @@
     </message>
     <message>
         <source>velocity over speed of sound</source>
-        <translation>Geschwindigkeit über Schallgeschwindigkeit</translation>
+        <translation>Geschwindig­keit über Schall­geschwin­digkeit</translation>
     </message>
     <message>
         <source>ratio of the steps</source>
@@ -2054,23 +2082,23 @@
     </message>
     <message>
         <source>ratio of the velocities</source>
-        <translation>Verhältnis der Geschwindigkeiten</translation>
+        <translation>Verhältnis der Geschwin­digkeiten</translation>
     </message>
     <message>
         <source>side sensor</source>
-        <translation>Aufnehmer in der Seitenwand</translation>
+        <translation>Aufnehmer in der Seiten­wand</translation>
     </message>
     <message>
         <source>recorded</source>
-        <translation>aufgezeichnet</translation>
+        <translation>aufge­zeichnet</translation>
     </message>
     <message>
         <source>sensor card</source>
-        <translation>Datenkarte des Aufnehmers</translation>
+        <translation>Datenkarte des Auf­nehmers</translation>
     </message>
     <message>
         <source>this calibration</source>
-        <translation>diese Kalibrierung</translation>
+        <translation>diese Kalibrie­rung</translation>
     </message>
     <message>
         <source>this shot</source>

@@ -7442,28 +7442,28 @@ steget</translation>
         <translation>Sämsta frekvensen</translation>
     </message>
     <message>
-        <source>lower limit %1</source>
-        <translation>undre gräns %1</translation>
+        <source>lower limit %L1</source>
+        <translation>undre gräns %L1</translation>
     </message>
     <message>
-        <source>edge 5 %: %1</source>
-        <translation>bandgräns 5 %: %1</translation>
+        <source>edge 5 %: %L1</source>
+        <translation>bandgräns 5 %: %L1</translation>
     </message>
     <message>
-        <source>edge 10 %: %1</source>
-        <translation>bandgräns 10 %: %1</translation>
+        <source>edge 10 %: %L1</source>
+        <translation>bandgräns 10 %: %L1</translation>
     </message>
     <message>
-        <source>edge -3 dB: %1</source>
-        <translation>bandgräns -3 dB: %1</translation>
+        <source>edge -3 dB: %L1</source>
+        <translation>bandgräns -3 dB: %L1</translation>
     </message>
     <message>
-        <source>resonance %1</source>
-        <translation>resonans %1</translation>
+        <source>resonance %L1</source>
+        <translation>resonans %L1</translation>
     </message>
     <message>
-        <source>upper limit %1</source>
-        <translation>övre gräns %1</translation>
+        <source>upper limit %L1</source>
+        <translation>övre gräns %L1</translation>
     </message>
     <message>
         <source>Beside the frequencies asked for, the table always has the limits of the band and, where they lie between these, the band edges and the resonance of the key results. What stands in these lines was computed at exactly these frequencies, as in all others.</source>
@@ -8742,8 +8742,8 @@ steget</translation>
         <translation>%1: Monte Carlo ger U = %2, fortplantningslagen bara %3, för en front av godtycklig varaktighet upp till 100 ns; så är det för %4 av %5 värden och rader. Ingen har angett hur länge fronten varar: ange shock.front_duration_s, eller ta dessa intervall från monte_carlo i results.json.</translation>
     </message>
     <message>
-        <source>compared at %1</source>
-        <translation>jämfört vid %1</translation>
+        <source>compared at %L1</source>
+        <translation>jämfört vid %L1</translation>
     </message>
     <message>
         <source>A value of another calibration stands in the table of this one, under its name, only where both agree within their expanded uncertainties (absolute En at most 1); below the band it is compared with the sensitivity at the onset of the step. It is no result of this calibration; the line &quot;compared at&quot; of its frequency is.</source>

@@ -144,8 +144,8 @@ void TestFilledWords::window_leavesForeignPlaces()
 {
     const QLocale before;
     QLocale::setDefault(numberLocale("sv"));
-    QCOMPARE(translated({"Version %V1 of %2.", {"1.5", "2.5 kHz"}}),
-        QString("Version 1.5 of 2,5 kHz."));
+    QCOMPARE(
+        translated({"Version %V1 of %2.", {"1.5", "2.5 kHz"}}), QString("Version 1.5 of 2,5 kHz."));
     QCOMPARE(printed({"%L1", {"2.5 kHz"}}), QString("2,5 kHz"));
     QLocale::setDefault(before);
     QCOMPARE(english({"Version %V1 of %L2.", {"1.5", "2.5 kHz"}}),
