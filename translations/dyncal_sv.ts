@@ -94,6 +94,10 @@
         <translation>%1: %2</translation>
     </message>
     <message>
+        <source>%1: %V2</source>
+        <translation>%1: %V2</translation>
+    </message>
+    <message>
         <source>U by the number of shots: %1; never below %2.</source>
         <translation>U efter antal skott: %1; aldrig under %2.</translation>
     </message>
@@ -4478,8 +4482,8 @@ steget</translation>
         <translation>Anmärkningar</translation>
     </message>
     <message>
-        <source>Shot %1 was excluded. Reason: %2.</source>
-        <translation>Skott %1 uteslöts. Skäl: %2.</translation>
+        <source>Shot %1 was excluded. Reason: %V2.</source>
+        <translation>Skott %1 uteslöts. Skäl: %V2.</translation>
     </message>
     <message>
         <source>Findings on the quality of the data</source>
@@ -4522,8 +4526,8 @@ steget</translation>
         <translation>Programvara</translation>
     </message>
     <message>
-        <source>Dyncal %1, build %2</source>
-        <translation>Dyncal %1, bygge %2</translation>
+        <source>Dyncal %V1, build %V2</source>
+        <translation>Dyncal %V1, bygge %V2</translation>
     </message>
     <message>
         <source>Computed</source>
@@ -5047,11 +5051,11 @@ steget</translation>
     </message>
     <message>
         <source>The gas has a ratio of specific heats of %1; it must be above 1 and at most %2 (air: 1.402).</source>
-        <translation>Gasens kvot mellan specifika värmen är %1; den ska vara större än 1 och högst %2 (luft: 1.402).</translation>
+        <translation>Gasens kvot mellan specifika värmen är %1; den ska vara större än 1 och högst %2 (luft: 1,402).</translation>
     </message>
     <message>
         <source>The gas has a molar mass of %1 kg/mol; it must lie between %2 and %3 kg/mol (air: 0.028966), so check whether it was typed in g/mol.</source>
-        <translation>Gasens molmassa är %1 kg/mol; den ska ligga mellan %2 och %3 kg/mol (luft: 0.028966), så kontrollera om den matades in i g/mol.</translation>
+        <translation>Gasens molmassa är %1 kg/mol; den ska ligga mellan %2 och %3 kg/mol (luft: 0,028966), så kontrollera om den matades in i g/mol.</translation>
     </message>
     <message>
         <source>%1 = %2 K? Temperatures are in kelvin here: %2 degrees Celsius are %3 K.</source>
@@ -6598,8 +6602,8 @@ steget</translation>
         <translation>Skott %1, kanal &apos;%2&apos;: enheten &quot;%3&quot; är okänd, så den kan inte delas med en känslighet per pascal; kända enheter är V, mV, uV, kV, A, C, W och 1. Ange en av dem som kanalens enhet, med den skala som behövs.</translation>
     </message>
     <message>
-        <source>%1 (not a date; write it as 2026-01-31)</source>
-        <translation>%1 (inget datum; skriv det som 2026-01-31)</translation>
+        <source>%V1 (not a date; write it as 2026-01-31)</source>
+        <translation>%V1 (inget datum; skriv det som 2026-01-31)</translation>
     </message>
     <message>
         <source>Shot %1, channel %2: no step found. The largest change is %3, and more than %4 is needed, %5 times the noise of %6: set window.start by hand or exclude the shot.</source>
@@ -7438,28 +7442,28 @@ steget</translation>
         <translation>Sämsta frekvensen</translation>
     </message>
     <message>
-        <source>lower limit %1</source>
-        <translation>undre gräns %1</translation>
+        <source>lower limit %L1</source>
+        <translation>undre gräns %L1</translation>
     </message>
     <message>
-        <source>edge 5 %: %1</source>
-        <translation>bandgräns 5 %: %1</translation>
+        <source>edge 5 %: %L1</source>
+        <translation>bandgräns 5 %: %L1</translation>
     </message>
     <message>
-        <source>edge 10 %: %1</source>
-        <translation>bandgräns 10 %: %1</translation>
+        <source>edge 10 %: %L1</source>
+        <translation>bandgräns 10 %: %L1</translation>
     </message>
     <message>
-        <source>edge -3 dB: %1</source>
-        <translation>bandgräns -3 dB: %1</translation>
+        <source>edge -3 dB: %L1</source>
+        <translation>bandgräns -3 dB: %L1</translation>
     </message>
     <message>
-        <source>resonance %1</source>
-        <translation>resonans %1</translation>
+        <source>resonance %L1</source>
+        <translation>resonans %L1</translation>
     </message>
     <message>
-        <source>upper limit %1</source>
-        <translation>övre gräns %1</translation>
+        <source>upper limit %L1</source>
+        <translation>övre gräns %L1</translation>
     </message>
     <message>
         <source>Beside the frequencies asked for, the table always has the limits of the band and, where they lie between these, the band edges and the resonance of the key results. What stands in these lines was computed at exactly these frequencies, as in all others.</source>
@@ -7506,8 +7510,8 @@ steget</translation>
         <translation>Laboratoriets profil</translation>
     </message>
     <message>
-        <source>%1, version %2 (SHA-256 %3)</source>
-        <translation>%1, version %2 (SHA-256 %3)</translation>
+        <source>%V1, version %V2 (SHA-256 %V3)</source>
+        <translation>%V1, version %V2 (SHA-256 %V3)</translation>
     </message>
     <message>
         <source>Set otherwise than in the profile</source>
@@ -7522,20 +7526,20 @@ steget</translation>
         <translation>borträknat ur S(f), fil med SHA-256 %1; poler och det som följer av dem gäller givare och kedja tillsammans</translation>
     </message>
     <message>
-        <source>divided out of S(f), certificate %1, file with SHA-256 %2; poles and what follows from them are of sensor and chain together</source>
-        <translation>borträknat ur S(f), certifikat %1, fil med SHA-256 %2; poler och det som följer av dem gäller givare och kedja tillsammans</translation>
+        <source>divided out of S(f), certificate %V1, file with SHA-256 %V2; poles and what follows from them are of sensor and chain together</source>
+        <translation>borträknat ur S(f), certifikat %V1, fil med SHA-256 %V2; poler och det som följer av dem gäller givare och kedja tillsammans</translation>
     </message>
     <message>
-        <source>%1: certificate %2</source>
-        <translation>%1: certifikat %2</translation>
+        <source>%V1: certificate %V2</source>
+        <translation>%V1: certifikat %V2</translation>
     </message>
     <message>
-        <source>%1: certificate %2, which ended on %3, before the measurement</source>
-        <translation>%1: certifikat %2, som gick ut %3, före mätningen</translation>
+        <source>%V1: certificate %V2, which ended on %3, before the measurement</source>
+        <translation>%V1: certifikat %V2, som gick ut %3, före mätningen</translation>
     </message>
     <message>
-        <source>%1: certificate %2, valid until %3</source>
-        <translation>%1: certifikat %2, giltigt till och med %3</translation>
+        <source>%V1: certificate %V2, valid until %3</source>
+        <translation>%V1: certifikat %V2, giltigt till och med %3</translation>
     </message>
     <message>
         <source>Reference of the budget</source>
@@ -7898,8 +7902,8 @@ steget</translation>
         <translation>statiskt</translation>
     </message>
     <message>
-        <source>%1, certificate %2</source>
-        <translation>%1, bevis %2</translation>
+        <source>%V1, certificate %V2</source>
+        <translation>%V1, bevis %V2</translation>
     </message>
     <message>
         <source>not compared</source>
@@ -7938,8 +7942,8 @@ steget</translation>
         <translation>%1: %2</translation>
     </message>
     <message>
-        <source>static: %1</source>
-        <translation>statiskt: %1</translation>
+        <source>static: %V1</source>
+        <translation>statiskt: %V1</translation>
     </message>
     <message>
         <source>S(f) is not stated per pressure</source>
@@ -8738,8 +8742,8 @@ steget</translation>
         <translation>%1: Monte Carlo ger U = %2, fortplantningslagen bara %3, för en front av godtycklig varaktighet upp till 100 ns; så är det för %4 av %5 värden och rader. Ingen har angett hur länge fronten varar: ange shock.front_duration_s, eller ta dessa intervall från monte_carlo i results.json.</translation>
     </message>
     <message>
-        <source>compared at %1</source>
-        <translation>jämfört vid %1</translation>
+        <source>compared at %L1</source>
+        <translation>jämfört vid %L1</translation>
     </message>
     <message>
         <source>A value of another calibration stands in the table of this one, under its name, only where both agree within their expanded uncertainties (absolute En at most 1); below the band it is compared with the sensitivity at the onset of the step. It is no result of this calibration; the line &quot;compared at&quot; of its frequency is.</source>
@@ -8854,8 +8858,8 @@ steget</translation>
         <translation>Ersätter</translation>
     </message>
     <message>
-        <source>certificate %1, which is no longer valid; what changed: %2</source>
-        <translation>kalibreringsbevis %1, som inte längre gäller; vad som har ändrats: %2</translation>
+        <source>certificate %V1, which is no longer valid; what changed: %V2</source>
+        <translation>kalibreringsbevis %V1, som inte längre gäller; vad som har ändrats: %V2</translation>
     </message>
     <message>
         <source>Issue</source>

@@ -198,7 +198,8 @@ void addIssue(CLI::App &program, VerbAction &action)
         ->check(CLI::PositiveNumber)
         ->type_name("NUMBER");
     declareTemplate(*verb, options->templateName);
-    verb->add_option("--languages", options->languages, "Else those of the recipe")
+    verb->add_option("--languages", options->languages,
+            "One or two of en, sv and de; else those of the recipe")
         ->delimiter(',')
         ->type_name("en,sv");
     declareNames(*verb, options->order);

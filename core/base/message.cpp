@@ -6,6 +6,20 @@
 #include "core/base/foreign_text.h"
 
 namespace dyncal {
+namespace {
+
+/// Where the digit of the place stands that begins at `at`: "%1", "%L1", "%V1"; 0 if none does.
+std::size_t placeDigit(std::string_view text, std::size_t at)
+{
+    if (text[at] != '%')
+        return 0;
+    const std::size_t kind = at + 1;
+    const bool hasKind = kind < text.size() && (text[kind] == 'L' || text[kind] == 'V');
+    const std::size_t digit = hasKind ? kind + 1 : kind;
+    return digit < text.size() && text[digit] >= '1' && text[digit] <= '9' ? digit : 0;
+}
+
+} // namespace
 
 std::string fillPlaces(
     std::string_view text, const std::vector<std::string> &arguments, ArgumentText shown)
@@ -14,13 +28,12 @@ std::string fillPlaces(
     std::string filled;
     filled.reserve(text.size() + 32);
     for (std::size_t i = 0; i < text.size(); ++i) {
-        const bool isPlace
-            = text[i] == '%' && i + 1 < text.size() && text[i + 1] >= '1' && text[i + 1] <= '9';
-        const std::size_t number = isPlace ? static_cast<std::size_t>(text[i + 1] - '1') : 0;
-        if (isPlace && number < arguments.size()) {
+        const std::size_t digit = placeDigit(text, i);
+        const std::size_t number = digit > 0 ? static_cast<std::size_t>(text[digit] - '1') : 0;
+        if (digit > 0 && number < arguments.size()) {
             filled += brief ? presentableInBrief(arguments[number])
                             : presentable(arguments[number], LineBreaks::Keep);
-            ++i;
+            i = digit;
         } else {
             filled += text[i];
         }

@@ -61,9 +61,9 @@ std::vector<Message> rowOf(const Group &group)
 {
     const bool hasNumbers = group.detectable > 0.0;
     return {comparedText(group.first->of), wayText(group.first->a), wayText(group.first->b),
-        verbatim(std::to_string(group.made)),
-        hasNumbers ? verbatim(numberText(group.largest, 2)) : dash(),
-        hasNumbers ? verbatim(numberText(100.0 * group.detectable, 2) + kPercent) : dash(),
+        inNumbers(std::to_string(group.made)),
+        hasNumbers ? inNumbers(numberText(group.largest, 2)) : dash(),
+        hasNumbers ? inNumbers(numberText(100.0 * group.detectable, 2) + kPercent) : dash(),
         verdictOf(group)};
 }
 

@@ -34,7 +34,7 @@ Message environmentRange(
         return {DYNCAL_TEXT("core", "not determined (not recorded)"), {}};
     const std::string low = settingText(*lowest, unit);
     const std::string high = settingText(*highest, unit);
-    return verbatim(low == high ? low : low + " \xE2\x80\xA6 " + high);
+    return inNumbers(low == high ? low : low + " \xE2\x80\xA6 " + high);
 }
 
 ShotLevel levelOf(const CalibrationResults &results, Index shot)
@@ -70,9 +70,9 @@ StepCells stepCells(const ShockConditions &shot, double coverage)
     const RoundedValue rounded = roundedValue(*shot.step_Pa, k * *u_Pa, "Pa");
     if (rounded.u.empty()) // u is zero or not known
         return cells;
-    cells.step = verbatim(rounded.value + " " + rounded.unit);
-    cells.expanded = verbatim(rounded.u + " " + rounded.unit);
-    cells.k = verbatim(factorText(k));
+    cells.step = inNumbers(rounded.value + " " + rounded.unit);
+    cells.expanded = inNumbers(rounded.u + " " + rounded.unit);
+    cells.k = inNumbers(factorText(k));
     return cells;
 }
 
@@ -107,7 +107,7 @@ std::vector<Message> conditionsRow(
     const StepCells cells = stepCells(shot, coverage);
     const std::optional<GasState> driven
         = shot.states ? std::optional(shot.states->driven) : std::nullopt;
-    return {verbatim(std::to_string(shot.shot)), levelWord(levelOf(results, shot.shot)),
+    return {inNumbers(std::to_string(shot.shot)), levelWord(levelOf(results, shot.shot)),
         setting(driven ? driven->pressure_Pa : kUnknown, "Pa"),
         setting(driven ? driven->temperature_K : kUnknown, "K"), velocityCell(shot, coverage),
         printed(shot.states ? shot.states->mach : kUnknown, "", dash()), cells.step,

@@ -133,21 +133,21 @@ const char *markWords(RowMark mark)
 {
     switch (mark) {
     case RowMark::LowEnd:
-        return DYNCAL_TEXT("core", "lower limit %1");
+        return DYNCAL_TEXT("core", "lower limit %L1");
     case RowMark::Within5percent:
-        return DYNCAL_TEXT("core", "edge 5 %: %1");
+        return DYNCAL_TEXT("core", "edge 5 %: %L1");
     case RowMark::Within10percent:
-        return DYNCAL_TEXT("core", "edge 10 %: %1");
+        return DYNCAL_TEXT("core", "edge 10 %: %L1");
     case RowMark::Minus3dB:
-        return DYNCAL_TEXT("core", "edge -3 dB: %1");
+        return DYNCAL_TEXT("core", "edge -3 dB: %L1");
     case RowMark::Resonance:
-        return DYNCAL_TEXT("core", "resonance %1");
+        return DYNCAL_TEXT("core", "resonance %L1");
     case RowMark::Known:
-        return DYNCAL_TEXT("core", "compared at %1");
+        return DYNCAL_TEXT("core", "compared at %L1");
     case RowMark::HighEnd:
         break;
     }
-    return DYNCAL_TEXT("core", "upper limit %1");
+    return DYNCAL_TEXT("core", "upper limit %L1");
 }
 
 /// The name in the report of the result that a marked frequency is; null of the band's ends.
@@ -184,7 +184,7 @@ Message frequencyCell(
     const FrequencyLine &line, const UncertaintyReport &report, const std::vector<double> &sorted)
 {
     if (line.marks.empty())
-        return verbatim(frequencyText(sorted, line.frequency_Hz()));
+        return inNumbers(frequencyText(sorted, line.frequency_Hz()));
     std::vector<Message> names;
     for (const RowMark mark : line.marks)
         names.push_back({markWords(mark), {markedText(mark, report, sorted, line.frequency_Hz())}});

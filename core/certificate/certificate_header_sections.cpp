@@ -34,7 +34,7 @@ CertificateField dateField(const Recipe &recipe, const char *id, Message label)
     CertificateField field = typedField(recipe, id, std::move(label), true);
     if (field.missing || isCalendarDate(recipe.certificate.fields.at(id)))
         return field;
-    field.value = {DYNCAL_TEXT("core", "%1 (not a date; write it as 2026-01-31)"),
+    field.value = {DYNCAL_TEXT("core", "%V1 (not a date; write it as 2026-01-31)"),
         {recipe.certificate.fields.at(id)}};
     field.missing = true;
     field.wrong = true;
@@ -77,7 +77,7 @@ void addExclusions(const CalibrationResults &results, CertificateSection &sectio
     for (std::size_t i = 0; i < shots.size(); ++i) {
         const Shot &shot = shots[i];
         if (!shot.included)
-            section.paragraphs.push_back({DYNCAL_TEXT("core", "Shot %1 was excluded. Reason: %2."),
+            section.paragraphs.push_back({DYNCAL_TEXT("core", "Shot %1 was excluded. Reason: %V2."),
                 {std::to_string(i + 1),
                     isBlank(shot.excludeReason) ? english(dash()) : shot.excludeReason}});
     }
@@ -160,7 +160,7 @@ CertificateSection remarksSection(const CalibrationResults &results, const Recip
             ? Message{DYNCAL_TEXT("core", "blocking"), {}}
             : Message{DYNCAL_TEXT("core", "caution"), {}};
         table.rows.push_back({verbatim(finding.id),
-            finding.shot > 0 ? verbatim(std::to_string(finding.shot)) : dash(), severity,
+            finding.shot > 0 ? inNumbers(std::to_string(finding.shot)) : dash(), severity,
             finding.message, reason});
     }
     if (!table.rows.empty())
@@ -176,7 +176,7 @@ CertificateSection recordsSection(const CalibrationResults &results, const std::
     section.title = {DYNCAL_TEXT("core", "Records and software"), {}};
     section.fields
         = {{"software", {DYNCAL_TEXT("core", "Software"), {}},
-               {DYNCAL_TEXT("core", "Dyncal %1, build %2"), {versionText(), buildText()}}, false},
+               {DYNCAL_TEXT("core", "Dyncal %V1, build %V2"), {versionText(), buildText()}}, false},
             {"created", {DYNCAL_TEXT("core", "Computed"), {}}, verbatim(createdUtc), false}};
     CertificateTable table;
     table.id = "inputs";

@@ -13,7 +13,7 @@ namespace {
 CertificateField replacedField(const CertificateIssue &issue)
 {
     return {"amends", {DYNCAL_TEXT("core", "Replaces"), {}},
-        {DYNCAL_TEXT("core", "certificate %1, which is no longer valid; what changed: %2"),
+        {DYNCAL_TEXT("core", "certificate %V1, which is no longer valid; what changed: %V2"),
             {issue.amends, issue.reason}}};
 }
 

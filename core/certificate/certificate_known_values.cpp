@@ -22,7 +22,7 @@ Message nameOfCalibration(const KnownSensitivity &stated)
 {
     if (stated.certificate.empty())
         return verbatim(stated.label);
-    return {DYNCAL_TEXT("core", "%1, certificate %2"), {stated.label, stated.certificate}};
+    return {DYNCAL_TEXT("core", "%V1, certificate %V2"), {stated.label, stated.certificate}};
 }
 
 double printedU(const ReportedValue &value)
@@ -76,7 +76,7 @@ CertificateTable knownValuesTable(const UncertaintyReport &report)
     for (const KnownValue &known : report.known)
         table.rows.push_back({nameOfCalibration(known.stated), frequencyOf(known.stated),
             withU(known.other), withU(known.here),
-            known.isCompared() ? verbatim(numberText(known.e_n, 2)) : dash(), verdictOf(known)});
+            known.isCompared() ? inNumbers(numberText(known.e_n, 2)) : dash(), verdictOf(known)});
     return table;
 }
 
@@ -88,8 +88,8 @@ std::vector<JoinedLine> joinedLines(const UncertaintyReport &report)
             continue;
         const KnownSensitivity &stated = known.stated;
         Message name = stated.frequency_Hz > 0.0
-            ? Message{DYNCAL_TEXT("core", "%1: %2"), {english(frequencyOf(stated)), stated.label}}
-            : Message{DYNCAL_TEXT("core", "static: %1"), {stated.label}};
+            ? Message{DYNCAL_TEXT("core", "%1: %V2"), {english(frequencyOf(stated)), stated.label}}
+            : Message{DYNCAL_TEXT("core", "static: %V1"), {stated.label}};
         lines.push_back(
             {stated.frequency_Hz, std::move(name), magnitudeCell(known.other), uCell(known.other)});
     }

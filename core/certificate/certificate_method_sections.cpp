@@ -116,12 +116,12 @@ CertificateSection methodSection(const CalibrationResults &results, const Recipe
                 {}},
         false});
     section.fields.push_back({"model_rate", {DYNCAL_TEXT("core", "Sample rate of the model"), {}},
-        verbatim(settingText(input.sampleRate_Hz, "Hz")), false});
+        inNumbers(settingText(input.sampleRate_Hz, "Hz")), false});
     section.fields.push_back({"model_samples", {DYNCAL_TEXT("core", "Samples per series"), {}},
-        verbatim(std::to_string(input.samples)), false});
+        inNumbers(std::to_string(input.samples)), false});
     section.fields.push_back(
         {"model_offset", {DYNCAL_TEXT("core", "Start of the model input after the onset"), {}},
-            verbatim(settingText(input.offset_s, "s")), false});
+            inNumbers(settingText(input.offset_s, "s")), false});
     addChoiceOfOrder(results, recipe, section);
     for (CertificateField &field : referenceFields(results))
         section.fields.push_back(std::move(field));

@@ -17,7 +17,7 @@ Message ofPlateau(double part, double plateau)
 {
     if (plateau == 0.0 || !std::isfinite(part / plateau))
         return dash();
-    return verbatim(roundedText(100.0 * part / std::abs(plateau), kUnknown, "%"));
+    return inNumbers(roundedText(100.0 * part / std::abs(plateau), kUnknown, "%"));
 }
 
 std::vector<Message> modeRow(const NuisanceMode &mode, const NuisanceOfShot &shot, bool hasPlateau)
@@ -25,7 +25,7 @@ std::vector<Message> modeRow(const NuisanceMode &mode, const NuisanceOfShot &sho
     const Message kind = mode.isTube ? Message{DYNCAL_TEXT("core", "gas in the tube"), {}}
                                      : Message{DYNCAL_TEXT("core", "other"), {}};
     std::vector<Message> row{mode.label.empty() ? kind : verbatim(mode.label),
-        verbatim(std::to_string(shot.shot)),
+        inNumbers(std::to_string(shot.shot)),
         printedWithUncertainty(shot.term.frequency_Hz(), shot.u_frequency_Hz, "Hz"),
         printedWithUncertainty(shot.term.dampingRatio(), shot.u_dampingRatio, "")};
     if (hasPlateau)
@@ -59,7 +59,7 @@ std::vector<Message> sideRow(
     Message name, const NuisanceEffect::Side &side, const std::string &gainUnit, bool hasPlateau)
 {
     std::vector<Message> row{std::move(name),
-        std::abs(side.fit_percent) < kMostPercent ? verbatim(fixedText(side.fit_percent, 2) + " %")
+        std::abs(side.fit_percent) < kMostPercent ? inNumbers(fixedText(side.fit_percent, 2) + " %")
                                                   : dash(),
         printedWithUncertainty(side.f0_Hz, side.u_f0_Hz, "Hz"),
         printedWithUncertainty(side.zeta, side.u_zeta, "")};
@@ -121,7 +121,7 @@ void addLeftOut(const ModelInput &input, CertificateSection &section)
         = {{{DYNCAL_TEXT("core", "Shot"), {}}, true}, {{DYNCAL_TEXT("core", "From"), {}}, true},
             {{DYNCAL_TEXT("core", "To"), {}}, true}, {{DYNCAL_TEXT("core", "Reason"), {}}, false}};
     for (const ExcludedStretch &stretch : input.leftOut)
-        table.rows.push_back({verbatim(std::to_string(stretch.shot)), setting(stretch.from_s, "s"),
+        table.rows.push_back({inNumbers(std::to_string(stretch.shot)), setting(stretch.from_s, "s"),
             setting(stretch.to_s, "s"), verbatim(stretch.reason)});
     section.tables.push_back(std::move(table));
     section.notes.push_back(

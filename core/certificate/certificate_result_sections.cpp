@@ -30,10 +30,10 @@ Message riseCell(const WindowedResponse &response)
 std::vector<Message> shotRow(
     const CalibrationResults &results, const WindowedResponse &response, CalibrationKind kind)
 {
-    std::vector<Message> row{verbatim(std::to_string(response.shot)), levelWord(response.level),
+    std::vector<Message> row{inNumbers(std::to_string(response.shot)), levelWord(response.level),
         setting(response.sampleRate_Hz, "Hz"),
-        verbatim(roundedText(response.step, kUnknown, response.unit)),
-        std::abs(response.snr_dB) < kMostDecibels ? verbatim(fixedText(response.snr_dB, 1) + " dB")
+        inNumbers(roundedText(response.step, kUnknown, response.unit)),
+        std::abs(response.snr_dB) < kMostDecibels ? inNumbers(fixedText(response.snr_dB, 1) + " dB")
                                                   : dash()};
     if (kind == CalibrationKind::FreeDecay)
         return row;
@@ -112,7 +112,7 @@ std::vector<Message> poleRow(const Pole &pole, const PoleUncertainty &with)
     const double kAmplitude = printedCoverage(with.kAmplitude);
     const double u_Hz = printableU(with.u_frequency_Hz, k, with.leastFrequency_Hz);
     const double u_zeta = printableU(with.u_dampingRatio, kDamping, with.leastDamping);
-    return {poleWord(pole.poleClass), verbatim(complexText(pole)),
+    return {poleWord(pole.poleClass), inNumbers(complexText(pole)),
         valueCell(pole.frequency_Hz, u_Hz, "Hz", k), expandedCell(pole.frequency_Hz, u_Hz, "Hz", k),
         valueCell(pole.dampingRatio, u_zeta, "", kDamping),
         expandedCell(pole.dampingRatio, u_zeta, "", kDamping),
@@ -213,7 +213,7 @@ CertificateSection modelSection(const CalibrationResults &results, const Recipe 
     if (model.fitListing_percent)
         section.fields.push_back(
             {"fit_listing", {DYNCAL_TEXT("core", "Fit as in the listing (lagged)"), {}},
-                verbatim(fitText(*model.fitListing_percent, model.diverges) + " %"), false});
+                inNumbers(fitText(*model.fitListing_percent, model.diverges) + " %"), false});
     if (results.decomposition && suggested)
         section.paragraphs.push_back(results.decomposition->suggestion.reason);
     if (model.diverges)

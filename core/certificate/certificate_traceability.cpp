@@ -21,7 +21,7 @@ void addProfile(const Recipe &recipe, TraceFields &fields)
         return;
     const ProfileMark &profile = *recipe.profile;
     fields.push_back({"profile", {DYNCAL_TEXT("core", "Profile of the laboratory"), {}},
-        {DYNCAL_TEXT("core", "%1, version %2 (SHA-256 %3)"),
+        {DYNCAL_TEXT("core", "%V1, version %V2 (SHA-256 %V3)"),
             {profile.name, profile.version, profile.sha256}},
         false});
     std::string changed;
@@ -46,7 +46,7 @@ void addChain(const CalibrationResults &results, TraceFields &fields)
                           "divided out of S(f), file with SHA-256 %1; poles and what follows from them are of sensor and chain together"),
                 {chain.sourceSha256}}
             : Message{DYNCAL_TEXT("core",
-                          "divided out of S(f), certificate %1, file with SHA-256 %2; poles and what follows from them are of sensor and chain together"),
+                          "divided out of S(f), certificate %V1, file with SHA-256 %V2; poles and what follows from them are of sensor and chain together"),
                 {chain.certificate, chain.sourceSha256}},
         false});
 }
@@ -75,7 +75,7 @@ void addCapability(const Recipe &recipe, TraceFields &fields)
         fields.push_back({"cmc",
             {DYNCAL_TEXT("core", "Least U of the laboratory (CMC), below which none is stated"),
                 {}},
-            verbatim(list), false});
+            inNumbers(list), false});
 }
 
 /// The day of the measurement; empty where it is no day.
@@ -93,12 +93,12 @@ std::string numberOf(const BudgetEntry &entry)
 Message referenceText(const BudgetEntry &entry, bool isOver)
 {
     if (entry.due.empty())
-        return {DYNCAL_TEXT("core", "%1: certificate %2"), {entry.quantity, numberOf(entry)}};
+        return {DYNCAL_TEXT("core", "%V1: certificate %V2"), {entry.quantity, numberOf(entry)}};
     if (isOver)
         return {
-            DYNCAL_TEXT("core", "%1: certificate %2, which ended on %3, before the measurement"),
+            DYNCAL_TEXT("core", "%V1: certificate %V2, which ended on %3, before the measurement"),
             {entry.quantity, numberOf(entry), entry.due}};
-    return {DYNCAL_TEXT("core", "%1: certificate %2, valid until %3"),
+    return {DYNCAL_TEXT("core", "%V1: certificate %V2, valid until %3"),
         {entry.quantity, numberOf(entry), entry.due}};
 }
 

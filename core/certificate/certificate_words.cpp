@@ -23,6 +23,11 @@ Message verbatim(std::string text)
     return {"%1", {std::move(text)}};
 }
 
+Message inNumbers(std::string text)
+{
+    return {"%L1", {std::move(text)}};
+}
+
 double valueAt(const Eigen::VectorXd &values, Index row)
 {
     return row < values.size() ? values[row] : kUnknown;
@@ -35,14 +40,14 @@ Message dash()
 
 Message setting(double value, std::string_view unit)
 {
-    return verbatim(settingText(value, unit));
+    return inNumbers(settingText(value, unit));
 }
 
 Message printed(const std::optional<double> &value, std::string_view unit, Message otherwise)
 {
     if (!value || !std::isfinite(*value))
         return otherwise;
-    return verbatim(roundedText(*value, kUnknown, unit));
+    return inNumbers(roundedText(*value, kUnknown, unit));
 }
 
 double printedCoverage(double k)
@@ -79,8 +84,8 @@ Message printedWithUncertainty(double value, double u, std::string_view unit, do
     const RoundedValue rounded = roundedValue(value, k * u, unit);
     const std::string tail = rounded.unit.empty() ? "" : " " + rounded.unit;
     if (rounded.u.empty())
-        return verbatim(rounded.value + tail);
-    return verbatim(rounded.value + tail + " \xC2\xB1 " + rounded.u + tail + coverageText(k));
+        return inNumbers(rounded.value + tail);
+    return inNumbers(rounded.value + tail + " \xC2\xB1 " + rounded.u + tail + coverageText(k));
 }
 
 Message expandedCell(double value, double u, std::string_view unit, double k)
@@ -88,13 +93,13 @@ Message expandedCell(double value, double u, std::string_view unit, double k)
     const RoundedValue rounded = roundedValue(value, k * u, unit);
     if (rounded.u.empty())
         return dash();
-    return verbatim(rounded.u + (rounded.unit.empty() ? "" : " " + rounded.unit)
+    return inNumbers(rounded.u + (rounded.unit.empty() ? "" : " " + rounded.unit)
         + (k == kCoverageFactor ? "" : coverageText(k)));
 }
 
 Message valueCell(double value, double u, std::string_view unit, double k)
 {
-    return verbatim(roundedText(value, k * u, unit));
+    return inNumbers(roundedText(value, k * u, unit));
 }
 
 Message levelWord(ShotLevel level)

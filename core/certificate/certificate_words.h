@@ -22,8 +22,10 @@ inline constexpr double kMostPercent = 1e6;
 
 /// Whether nothing was typed but blanks.
 bool isBlank(std::string_view text);
-/// Words that are printed as they are.
+/// Words that are printed as they are, whatever they look like: typed or read.
 Message verbatim(std::string text);
+/// Numbers of ours with their units, which a document prints as its language writes numbers.
+Message inNumbers(std::string text);
 /// One of a list's values, unknown past its end.
 double valueAt(const Eigen::VectorXd &values, Index row);
 /// A table cell without a value.

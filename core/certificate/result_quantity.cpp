@@ -22,8 +22,8 @@ std::vector<Message> rowOfResult(const ResultQuantity &quantity)
 {
     const RoundedValue rounded = roundedOf(quantity);
     const std::string tail = rounded.unit.empty() ? "" : " " + rounded.unit;
-    return {quantity.label, verbatim(rounded.value + tail), verbatim(rounded.u + tail),
-        verbatim(printedFactor(quantity.k))};
+    return {quantity.label, inNumbers(rounded.value + tail), inNumbers(rounded.u + tail),
+        inNumbers(printedFactor(quantity.k))};
 }
 
 CertificateTable tableOfResults()

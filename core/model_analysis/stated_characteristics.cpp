@@ -18,7 +18,7 @@ StatedValue stated(double value, std::string_view unit)
 {
     StatedValue result;
     result.value = value;
-    result.words = {"%1", {roundedText(value, kUnknown, unit)}};
+    result.words = {"%L1", {roundedText(value, kUnknown, unit)}};
     return result;
 }
 

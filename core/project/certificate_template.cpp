@@ -4,6 +4,7 @@
 #include "core/project/certificate_template.h"
 
 #include "core/base/json_text.h"
+#include "core/project/document_languages.h"
 #include "core/project/json_codec.h"
 
 #include <algorithm>
@@ -51,6 +52,15 @@ Codec<std::string> titleText()
     return {needs, read, [](const std::string &text) { return Json(text); }};
 }
 
+/// The languages that a title may be in.
+std::vector<RecipeKey> languageKeys()
+{
+    std::vector<RecipeKey> keys;
+    for (const std::string &code : documentLanguageCodes())
+        keys.push_back({code, ""});
+    return keys;
+}
+
 /// The logo lies beside the template, so that both are moved and kept together.
 bool isImageName(std::string_view name)
 {
@@ -65,11 +75,11 @@ const Codec<CertificateTemplate> &templateCodec()
     using S = CertificateTemplate;
     static const Codec<S> codec = object<S>({
         templateSchema(),
-        field("title", &S::title, dictionary(titleText(), "a language", {{"en", ""}, {"sv", ""}})),
+        field("title", &S::title, dictionary(titleText(), "a language", languageKeys())),
         field("sections", &S::sections, list(oneOf(templateSections()), 1)),
         field(kFigures, &S::figures, list(oneOf(templateFigures()))),
         field("quantities", &S::quantities, orNull(list(oneOf(templateQuantities()), 1))),
-        field("languages", &S::languages, orNull(list(oneOf({"en", "sv"}), 1))),
+        field("languages", &S::languages, orNull(documentLanguageList())),
         field("logo", &S::logo,
             formedTextOrNull(
                 "the name of a file beside the template that ends in .png or .svg, or null",

@@ -4,6 +4,7 @@
 #include "core/project/recipe_fields_analysis.h"
 
 #include "core/base/number_text.h"
+#include "core/project/document_languages.h"
 #include "core/project/recipe_limits.h"
 
 #include <string_view>
@@ -241,7 +242,7 @@ Codec<CertificateSettings> certificateCodec()
         field("template", DYNCAL_TEXT("RecipeLabel", "template of the certificate"),
             &S::templateName, nonEmptyText()),
         field("languages", DYNCAL_TEXT("RecipeLabel", "languages of the certificate"),
-            &S::languages, list(oneOf({"en", "sv"}), 1)),
+            &S::languages, documentLanguageList()),
         field("fields", DYNCAL_TEXT("RecipeLabel", "fields of the certificate"), &S::fields,
             dictionary(anyText(), "a field's name")),
         field("decision", DYNCAL_TEXT("RecipeLabel", "decision on conformity"), &S::decision,

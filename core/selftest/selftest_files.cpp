@@ -66,7 +66,7 @@ CertificateSection resultSection(const SelfTestReport &report, const std::string
         "result", {DYNCAL_TEXT("core", "Result"), {}}, {report.verdict()}, {}, {}, {}, {}};
     section.fields = {installationField("date", DYNCAL_TEXT("core", "Date"), createdUtc),
         {"program", {DYNCAL_TEXT("core", "Program"), {}},
-            {DYNCAL_TEXT("core", "Dyncal %1, build %2"), {made.version, made.build}}},
+            {DYNCAL_TEXT("core", "Dyncal %V1, build %V2"), {made.version, made.build}}},
         installationField("compiler", DYNCAL_TEXT("core", "Compiler"), made.compiler),
         installationField("processor", DYNCAL_TEXT("core", "Processor"), made.processor),
         installationField("system", DYNCAL_TEXT("core", "System"), made.system),

@@ -3,10 +3,11 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Whether the numbers printed on a certificate are those of results.json beside it, to the printed digit.
 
-    tests/audit/printed_numbers.py FOLDER      FOLDER: DIR/NUMBER of an issued certificate, in English
+    tests/audit/printed_numbers.py FOLDER [LANGUAGE]      FOLDER: DIR/NUMBER of an issued certificate; LANGUAGE: en, sv, de
 
 Reads the text of certificate.pdf (pdftotext) without any of Dyncal's code: the table of the key results, each
-row with value, U and k, and the table of S(f). U and value must be those of results.json rounded to the
+row with value, U and k, and the table of S(f), as the language writes numbers; its labels are those of
+translations/dyncal_LANGUAGE.ts. U and value must be those of results.json rounded to the
 decimals that are printed, U = k u within its last digit and with two digits, k as stated there. Exit code 1 where
 one differs, or where a value of the key results has no U or k.
 """
@@ -15,6 +16,7 @@ import math
 import re
 import subprocess
 import sys
+import xml.etree.ElementTree as ElementTree
 from pathlib import Path
 
 QUANTITIES = {
@@ -25,6 +27,7 @@ QUANTITIES = {
     "Magnitude above -3 dB up to": "minus_3_db_hz", "Rise time, 10 % to 90 %": "rise_time_s",
     "Overshoot": "overshoot_percent", "Settling time, within 5 %": "settling_time_s",
 }
+SENSITIVITY = "Sensitivity at the onset of the step"
 PREFIXES = {"": 1.0, "G": 1e9, "M": 1e6, "k": 1e3, "m": 1e-3, "\u00b5": 1e-6, "\u03bc": 1e-6, "n": 1e-9, "p": 1e-12}
 NUMBER = r"(-?\d+(?:\.\d+)?)"
 UNIT = r"(?: ?([GMkm\u00b5\u03bcnp]?)(Hz|s|V/Pa|%|rad|V|A/Pa|1/Pa))?"
@@ -37,6 +40,26 @@ RESPONSE = re.compile(rf"^{NUMBER} ([GMk]?)Hz\s{{2,}}{NUMBER}{UNIT}\s{{2,}}{NUMB
                       rf"\s{{2,}}{NUMBER} \u00b0\s{{2,}}{NUMBER} \u00b0")
 DEGREE = math.pi / 180.0
 SAME_FREQUENCY = 6e-4  # printed with four digits
+TRANSLATIONS = Path(__file__).resolve().parents[2] / "translations"
+
+
+def words_of(language):
+    """From the sentences of core to those of a language."""
+    if language == "en":
+        return {}
+    for context in ElementTree.parse(TRANSLATIONS / f"dyncal_{language}.ts").getroot().iter("context"):
+        if context.findtext("name") == "core":
+            return {entry.findtext("source"): entry.findtext("translation").replace("\u00ad", "")
+                    for entry in context.iter("message")}
+    return {}
+
+
+def as_core_writes(text, language):
+    """Numbers with a decimal point and without spaces between groups of digits."""
+    if language == "en":
+        return text
+    grouped = re.sub("(?<=\\d)[ \u202f](?=\\d{1,3}(?!\\d))", "", text.replace("\u00ad", ""))
+    return re.sub(r"(?<=\d),(?=\d)", ".", grouped)
 
 
 def decimals(text):
@@ -105,20 +128,25 @@ def check_response(text, response, errors):
 
 
 def main():
-    if len(sys.argv) != 2:
+    if len(sys.argv) not in (2, 3):
         sys.exit(__doc__)
     folder = Path(sys.argv[1])
+    language = sys.argv[2] if len(sys.argv) == 3 else "en"
+    words = words_of(language)
+    quantities = {words.get(label, label): quantity for label, quantity in QUANTITIES.items()}
+    sensitivity = words.get(SENSITIVITY, SENSITIVITY)
     results = json.loads((folder / "results.json").read_text())
     text = subprocess.run(["pdftotext", "-layout", folder / "certificate.pdf", "-"], check=True,
                           capture_output=True, text=True).stdout
+    text = as_core_writes(text, language)
     stated = {row["quantity"]: row for row in results["characteristics"]}
     errors, seen = [], set()
     for label, value, u, k in printed_rows(text):
-        quantity = QUANTITIES.get(label)
+        quantity = quantities.get(label)
         if quantity:
             seen.add(quantity)
             check_row(label, value, u, k, stated[quantity], errors)
-        elif label == "Sensitivity at the onset of the step":
+        elif label == sensitivity:
             seen.add("sensitivity")
             check_row(label, value, u, k, results["sensitivity"], errors)
     for quantity in list(stated) + ["sensitivity"]:

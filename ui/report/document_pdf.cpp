@@ -14,8 +14,8 @@ namespace {
 
 QByteArray drawnPages(const CertificateData &data)
 {
-    const ReproducibleOutput reproducible;
     ReportLanguage language(data.language);
+    const ReproducibleOutput reproducible(language.numbers());
     const ReportLanguage::Scope scope(language);
     CertificatePdf pdf(data, {});
     while (!pdf.isDrawn())

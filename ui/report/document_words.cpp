@@ -6,6 +6,8 @@
 #include "ui/text/core_text.h"
 #include "ui/text/filled_words.h"
 
+#include <QCoreApplication>
+
 namespace dyncal {
 
 DocumentWords::DocumentWords(const std::string &secondLanguage)
@@ -36,9 +38,13 @@ QString DocumentWords::second(const Message &message) const
 {
     if (!m_second)
         return {};
-    const QString other = filledWords(
-        message, [this](const char *text) { return m_second->translate("core", text); });
-    return other == printed(message) ? QString() : other;
+    const auto own = [](const char *text) { return QCoreApplication::translate("core", text); };
+    const auto other = [this](const char *text) { return m_second->translate("core", text); };
+    constexpr QChar kOfCore('.');
+    // Numbers differ by their decimal mark alone: what has no other words stands once.
+    if (filledWords(message, own, kOfCore) == filledWords(message, other, kOfCore))
+        return {};
+    return filledWords(message, other, m_second->numbers().decimalPoint().front());
 }
 
 } // namespace dyncal

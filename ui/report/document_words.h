@@ -16,7 +16,7 @@ namespace dyncal {
 /// The words of a document, which shortens nothing and keeps the lines of what was typed: in the
 /// language that is installed, and beside them in a second one, if it has any. Labels stand side by
 /// side ("Place / Plats"), sentences and whatever is in a table below each other; what is the same
-/// in both, as numbers and names are, stands once.
+/// in both, as names are, stands once; so do numbers, with the decimal mark of the first.
 class DocumentWords
 {
 public:

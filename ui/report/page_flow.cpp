@@ -12,6 +12,13 @@ namespace dyncal {
 
 namespace {
 
+constexpr QChar kSoftHyphen(0x00ad);
+
+QString withoutSoftHyphens(QString line)
+{
+    return line.remove(kSoftHyphen);
+}
+
 double spaceBefore(const FlowBlock &block, double top)
 {
     return top > 0.0 ? block.spaceBefore : 0.0;
@@ -103,7 +110,7 @@ double FlowText::naturalWidth(const QString &text, const QFont &font, QPaintDevi
     const QFontMetricsF metrics(font, device);
     double widest = 0.0;
     for (const QString &line : text.split(QLatin1Char('\n')))
-        widest = std::max(widest, metrics.horizontalAdvance(line));
+        widest = std::max(widest, metrics.horizontalAdvance(withoutSoftHyphens(line)));
     return widest;
 }
 
@@ -111,10 +118,16 @@ double FlowText::longestWord(const QString &text, const QFont &font, QPaintDevic
 {
     const QFontMetricsF metrics(font, device);
     double widest = 0.0;
-    // A no-break space belongs to its word: only real spaces and line ends separate words.
+    // A no-break space belongs to its word: only real spaces and line ends separate words. A soft
+    // hyphen is shown where the line ends there.
     for (const QString &line : text.split(QLatin1Char('\n')))
-        for (const QString &word : line.split(QLatin1Char(' ')))
-            widest = std::max(widest, metrics.horizontalAdvance(word));
+        for (const QString &word : line.split(QLatin1Char(' '))) {
+            const QStringList parts = word.split(kSoftHyphen);
+            for (const QString &part : parts)
+                widest = std::max(widest,
+                    metrics.horizontalAdvance(
+                        &part == &parts.back() ? part : part + QLatin1Char('-')));
+        }
     return widest;
 }
 

@@ -142,7 +142,7 @@ void ReportDrawing::draw(std::chrono::milliseconds budget)
         return;
     QElapsedTimer used;
     used.start();
-    const ReproducibleOutput reproducible;
+    const ReproducibleOutput reproducible(d->language.numbers());
     const ReportLanguage::Scope language(d->language);
     do
         d->step();

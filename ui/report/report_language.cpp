@@ -3,6 +3,7 @@
 
 #include "ui/report/report_language.h"
 
+#include "ui/text/number_locale.h"
 #include "ui/text/shown_text.h"
 
 #include <QCoreApplication>
@@ -11,6 +12,7 @@
 namespace dyncal {
 
 ReportLanguage::ReportLanguage(const std::string &code)
+    : m_numbers(numberLocale(rawText(code)))
 {
     // A code without a translation gets English: dyncal_en has the plural forms, the sources the
     // rest.

@@ -3,6 +3,7 @@
 
 #pragma once
 
+#include <QLocale>
 #include <QTranslator>
 
 namespace dyncal {
@@ -13,7 +14,9 @@ namespace dyncal {
 class ReportLanguage : public QTranslator
 {
 public:
-    explicit ReportLanguage(const std::string &code); ///< "en", "sv", as in the recipe
+    explicit ReportLanguage(const std::string &code); ///< "en", "sv", "de", as in the recipe
+
+    const QLocale &numbers() const { return m_numbers; } ///< how it writes them
 
     bool isEmpty() const override { return false; }
     QString translate(const char *context, const char *source, const char *disambiguation = nullptr,
@@ -35,6 +38,9 @@ public:
 
 protected:
     bool eventFilter(QObject *watched, QEvent *event) override;
+
+private:
+    QLocale m_numbers;
 };
 
 } // namespace dyncal

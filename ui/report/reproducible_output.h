@@ -9,15 +9,15 @@
 namespace dyncal {
 
 /// While one of these lives, what is drawn comes out the same in every process: it fixes the order
-/// in hash tables (which Qt makes random, and which the fonts in a PDF follow) and the decimal mark
-/// of numbers ('.', as in every file that is written). For the thread of the window only.
+/// in hash tables (which Qt makes random, and which the fonts in a PDF follow) and how numbers are
+/// written: as the document's language does. For the thread of the window only.
 class ReproducibleOutput
 {
 public:
-    ReproducibleOutput()
+    explicit ReproducibleOutput(const QLocale &numbers)
     {
         QHashSeed::setDeterministicGlobalSeed();
-        QLocale::setDefault(QLocale::c());
+        QLocale::setDefault(numbers);
     }
     ~ReproducibleOutput()
     {

@@ -6,6 +6,7 @@
 #include "core/certificate/certificate.h"
 #include "core/certificate/certificate_data.h"
 #include "ui/stages/decision_panel.h"
+#include "ui/stages/frame/calendar_button.h"
 #include "ui/stages/frame/status_text.h"
 #include "ui/stages/template_panel.h"
 #include "ui/text/core_text.h"
@@ -124,8 +125,8 @@ void CertificatePage::buildForm()
         edit->setObjectName(QString("field_%1").arg(field.key));
         edit->setAccessibleName(label);
         const QString heading = printed && printed->missing ? label + " *" : label;
-        addWrappedRow(
-            *forms[field.group], heading, isDate(field.key) ? withNote(field.key, edit) : edit);
+        addWrappedRow(*forms[field.group], heading,
+            isDate(field.key) ? withNote(field.key, m_edits.back().second) : edit);
     }
     column->addStretch(1);
     auto *scroll = new QScrollArea(this);
@@ -135,8 +136,8 @@ void CertificatePage::buildForm()
     content()->addWidget(scroll);
 }
 
-/// A date with room below it for what is wrong with it.
-QWidget *CertificatePage::withNote(const std::string &key, QWidget *edit)
+/// A date with a calendar beside it, and room below it for what is wrong with it.
+QWidget *CertificatePage::withNote(const std::string &key, QLineEdit *edit)
 {
     auto *box = new QWidget;
     box->setFocusProxy(edit);
@@ -146,7 +147,12 @@ QWidget *CertificatePage::withNote(const std::string &key, QWidget *edit)
     note->setObjectName("note_" + rawText(key));
     note->setWordWrap(true);
     note->hide();
-    column->addWidget(edit);
+    auto *calendar = new CalendarButton(*edit, box);
+    calendar->setObjectName("calendar_" + rawText(key));
+    auto *row = new QHBoxLayout;
+    row->addWidget(edit);
+    row->addWidget(calendar);
+    column->addLayout(row);
     column->addWidget(note);
     m_notes.emplace_back(key, note);
     return box;

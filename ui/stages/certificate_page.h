@@ -39,7 +39,7 @@ private:
     QString field(const std::string &key) const;
     void showMissing();
 
-    QWidget *withNote(const std::string &key, QWidget *edit);
+    QWidget *withNote(const std::string &key, QLineEdit *edit);
 
     std::vector<std::pair<std::string, QLineEdit *>> m_edits;
     std::vector<std::pair<std::string, QLabel *>>

@@ -3,6 +3,7 @@
 
 #include "ui/stages/template_panel.h"
 
+#include "core/project/document_languages.h"
 #include "ui/report/report_logo.h"
 #include "ui/stages/frame/inspector_form.h"
 #include "ui/stages/frame/recipe_change.h"
@@ -17,6 +18,7 @@
 
 #include <algorithm>
 #include <array>
+#include <map>
 
 namespace dyncal {
 
@@ -25,11 +27,34 @@ namespace {
 using Languages = std::vector<std::string>;
 
 /// In the order of the choice.
-const std::array<Languages, 4> &languageChoices()
+const std::vector<Languages> &languageChoices()
 {
-    static const std::array<Languages, 4> choices{
-        Languages{"en"}, Languages{"sv"}, Languages{"en", "sv"}, Languages{"sv", "en"}};
+    static const std::vector<Languages> choices = [] {
+        std::vector<Languages> made;
+        for (const std::string &code : documentLanguageCodes())
+            made.push_back({code});
+        for (const std::string &first : documentLanguageCodes())
+            for (const std::string &second : documentLanguageCodes())
+                if (first != second)
+                    made.push_back({first, second});
+        return made;
+    }();
     return choices;
+}
+
+/// Languages by their own names.
+QStringList languageNames()
+{
+    static const std::map<std::string, QString> names{{"en", QStringLiteral("English")},
+        {"sv", QStringLiteral("Svenska")}, {"de", QStringLiteral("Deutsch")}};
+    QStringList shown;
+    for (const Languages &choice : languageChoices()) {
+        QStringList words;
+        for (const std::string &code : choice)
+            words << names.at(code);
+        shown << words.join(QStringLiteral(" / "));
+    }
+    return shown;
 }
 
 struct BuiltInWords
@@ -80,9 +105,7 @@ void TemplatePanel::build(InspectorForm &form)
     m_browse = browse;
     connect(browse, &QPushButton::clicked, this, &TemplatePanel::browseRequested);
     m_note = form.addNote("templateNote");
-    m_languages = form.addChoice(tr("Language"), "certificateLanguage",
-        {QStringLiteral("English"), QStringLiteral("Svenska"), QStringLiteral("English / Svenska"),
-            QStringLiteral("Svenska / English")});
+    m_languages = form.addChoice(tr("Language"), "certificateLanguage", languageNames());
 }
 
 void TemplatePanel::chooseTemplateAt(int choice)

@@ -8,6 +8,7 @@
 #include "ui/text/recipe_labels.h"
 
 #include <QCoreApplication>
+#include <QLocale>
 
 #include <string_view>
 
@@ -21,7 +22,10 @@ std::vector<std::string> shownArguments(const Message &message)
 {
     const bool namesKeys = std::string_view(message.text).starts_with("Recipe ");
     std::vector<std::string> shown = message.arguments;
-    for (std::string &argument : shown) {
+    for (std::size_t i = 0; i < shown.size(); ++i) {
+        if (isVerbatimPlace(message.text, i))
+            continue;
+        std::string &argument = shown[i];
         const QString text = QString::fromStdString(argument);
         const QString label = namesKeys ? recipeLabel(text) : QString();
         argument = (label.isEmpty() ? inDecimalMark(text) : label).toStdString();
@@ -44,7 +48,8 @@ QString translated(const Message &message)
 QString printed(const Message &message)
 {
     return filledWords(
-        message, [](const char *text) { return QCoreApplication::translate("core", text); });
+        message, [](const char *text) { return QCoreApplication::translate("core", text); },
+        QLocale().decimalPoint().front());
 }
 
 } // namespace dyncal

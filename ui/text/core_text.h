@@ -13,7 +13,9 @@ namespace dyncal {
 /// keys of the recipe by the names of their fields.
 QString translated(const Message &message);
 
-/// The same for a document, in the language that is installed for it: as core wrote it, in full.
+/// The same for a document, in the language that is installed for it, numbers with the decimal mark
+/// of the default locale (filledWords()): keys of the recipe as core wrote them, everything in
+/// full.
 QString printed(const Message &message);
 
 } // namespace dyncal

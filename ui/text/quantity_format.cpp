@@ -123,12 +123,16 @@ QString shownWithU(const ShownResult &shown)
 
 QString inDecimalMark(const QString &text)
 {
-    const QString mark = QLocale().decimalPoint();
-    if (mark == QLatin1String("."))
+    return inDecimalMark(text, QLocale().decimalPoint().front());
+}
+
+QString inDecimalMark(const QString &text, QChar mark)
+{
+    if (mark == QLatin1Char('.'))
         return text;
     // A unit has no digits but exponents and no '.': "2.5.1" is a version, "1.5 a.csv" a name.
     static const QRegularExpression quantity(QStringLiteral(
-        "^[-+\u2212]?\\d+\\.\\d+(e[-+]?\\d+)?( ?[^\\d\\s.]{1,8})?"
+        "^[-+\u2212\u00b1]?\\d+(\\.\\d+)?(e[-+]?\\d+)?( ?[^\\d\\s.]{1,8})?"
         "([ ,\u2013][^.\\d]{0,6}[-+]?\\d+(\\.\\d+)?(e[-+]?\\d+)?( ?[^\\d\\s.]{1,8})?)*$"));
     if (!quantity.match(text).hasMatch())
         return text;

@@ -48,6 +48,7 @@ QString shownWithU(const ShownResult &shown);
 /// A number, a quantity or a range of them as core writes it ("1.5 ms", "0.1 to 2e-3", "99.9 %"),
 /// in the decimal mark of the language; any other text as it is.
 QString inDecimalMark(const QString &text);
+QString inDecimalMark(const QString &text, QChar mark);
 
 /// "5.5×10⁻⁵" -> "5.5e-5", so that what is shown can be typed back.
 QString withPlainExponent(QString text);

@@ -85,6 +85,8 @@ private slots:
         QCOMPARE(fillPlaces("%1 of %3", {"one"}), std::string("one of %3"));
         QCOMPARE(fillPlaces("5 % of %0 and %", {"one"}), std::string("5 % of %0 and %"));
         QCOMPARE(fillPlaces("%%1", {"5"}), std::string("%5"));
+        QCOMPARE(fillPlaces("%L2, %V1", {"1.5", "2.5"}), std::string("2.5, 1.5"));
+        QCOMPARE(fillPlaces("%L %V0 %L3 %", {"one"}), std::string("%L %V0 %L3 %"));
         QCOMPARE(fillPlaces("", {"5"}), std::string());
     }
 

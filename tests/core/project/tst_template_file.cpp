@@ -192,7 +192,9 @@ void TestTemplateFile::faults_areSaid_data()
         "Template key figures names \"phase\" twice");
     row("language twice", with("languages", {"sv", "sv"}),
         "Template key languages names \"sv\" twice");
-    row("unknown language", with("languages", {"de"}), "it needs one of \"en\", \"sv\".");
+    row("unknown language", with("languages", {"fr"}), "it needs one of \"en\", \"sv\", \"de\".");
+    row("three languages", with("languages", {"en", "sv", "de"}),
+        "a list of one language, or of two that stand side by side");
     row("figures without place",
         with("sections", without(CertificateTemplate().sections, "figures")),
         "Template key figures names 8, and sections has no \"figures\"");

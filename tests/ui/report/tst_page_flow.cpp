@@ -16,6 +16,7 @@
 #include <random>
 
 using dyncal::columnWidths;
+using dyncal::FlowText;
 using dyncal::FlowBlock;
 using dyncal::placeBlocks;
 using dyncal::PlacedBlock;
@@ -46,6 +47,7 @@ private slots:
     void place_blockTallerThanPage_standsAlone();
     void place_randomBlocks_neverOverlapNorLeaveThePage();
     void widths_anyInput_sumToTotal();
+    void softHyphen_endsALine_andTakesNoRoomElse();
     void dates_inPdf_areReplacedInPlace();
     void pdf_inEveryTimeZone_hasTheSameBytes();
 };
@@ -149,6 +151,25 @@ void TestPageFlow::widths_anyInput_sumToTotal()
     QVERIFY(tight[0] >= 50.0 && tight[1] > tight[0]);
     const std::vector<double> hopeless = columnWidths({400, 400}, {300, 100}, 200.0);
     QCOMPARE(hopeless, (std::vector<double>{150, 50}));
+}
+
+void TestPageFlow::softHyphen_endsALine_andTakesNoRoomElse()
+{
+    const QFont font(QStringLiteral("DejaVu Sans"), 10);
+    QImage device(1, 1, QImage::Format_RGB32);
+    const auto longest = [&](const char *text) {
+        return FlowText::longestWord(QString::fromUtf8(text), font, &device);
+    };
+    const auto natural = [&](const char *text) {
+        return FlowText::naturalWidth(QString::fromUtf8(text), font, &device);
+    };
+    QCOMPARE(natural("Abtast\u00adrate"), natural("Abtastrate"));
+    QCOMPARE(longest("Abtast\u00adrate"), natural("Abtast-"));
+    QCOMPARE(longest("Ab\u00adtastrate"), natural("tastrate"));
+    const double width = longest("Abtast\u00adrate") + 0.5;
+    const FlowText set(QString::fromUtf8("Abtast\u00adrate"), font, width, &device);
+    const FlowText two(QStringLiteral("Abtast-\nrate"), font, width, &device);
+    QCOMPARE(set.height(), two.height());
 }
 
 void TestPageFlow::dates_inPdf_areReplacedInPlace()

@@ -206,6 +206,8 @@ private slots:
         QVERIFY(!swedish.contains("Damping ratio") && !swedish.contains(" / Customer"));
         // Numbers and names stand once.
         QCOMPARE(both.count("SN-0042"), textOf(pdfOf({})).count("SN-0042"));
+        QCOMPARE(both.count("2.33000 MHz"), textOf(pdfOf({})).count("2.33000 MHz"));
+        QVERIFY(!both.contains("2,330"));
     }
     void words_labelsBeside_sentencesBelow_sameOnce()
     {

@@ -9,9 +9,11 @@
 #include "tests/ui/support/page_bench.h"
 #include "ui/stages/certificate_page.h"
 
+#include <QCalendarWidget>
 #include <QPlainTextEdit>
 #include <QSignalSpy>
 #include <QTemporaryDir>
+#include <QToolButton>
 #include <QtTest>
 
 using namespace dyncal;
@@ -55,6 +57,7 @@ private slots:
     void dateThatIsNone_isSaidBesideItsField();
     void language_isOfTheDocument_notOfTheWindow();
     void languages_twoSideBySide();
+    void date_isChosenInACalendar_andUndone();
     void template_builtIn_isChosenAndUndone();
     void template_file_isTakenOrRefused();
     void template_unknown_isShownAndSaid();
@@ -199,11 +202,33 @@ void TestCertificatePage::language_isOfTheDocument_notOfTheWindow()
 void TestCertificatePage::languages_twoSideBySide()
 {
     Bench bench;
-    bench.choose("certificateLanguage", 3);
-    QCOMPARE(bench.recipe().certificate.languages, (std::vector<std::string>{"sv", "en"}));
-    bench.choose("certificateLanguage", 2);
-    QCOMPARE(bench.recipe().certificate.languages, (std::vector<std::string>{"en", "sv"}));
-    QCOMPARE(bench.control<QComboBox>("certificateLanguage")->currentIndex(), 2);
+    auto *choice = bench.control<QComboBox>("certificateLanguage");
+    QCOMPARE(choice->count(), 9); // three alone, and each beside each other one
+    const auto chosen = [&](const char *words) {
+        bench.choose("certificateLanguage", choice->findText(words));
+        return bench.recipe().certificate.languages;
+    };
+    using Languages = std::vector<std::string>;
+    QCOMPARE(chosen("Svenska / English"), (Languages{"sv", "en"}));
+    QCOMPARE(chosen("English / Svenska"), (Languages{"en", "sv"}));
+    QCOMPARE(chosen("English / Deutsch"), (Languages{"en", "de"}));
+    QCOMPARE(chosen("Svenska / Deutsch"), (Languages{"sv", "de"}));
+    QCOMPARE(chosen("Deutsch"), Languages{"de"});
+    QCOMPARE(choice->currentText(), QString("Deutsch"));
+}
+
+void TestCertificatePage::date_isChosenInACalendar_andUndone()
+{
+    Bench bench;
+    bench.control<QToolButton>("calendar_date_issued")->click();
+    auto *calendar = bench.page.findChild<QCalendarWidget *>();
+    QVERIFY(calendar);
+    emit calendar->clicked(QDate(2026, 1, 31));
+    QCOMPARE(fieldOf(bench, "date_issued"), std::string("2026-01-31"));
+    QCOMPARE(bench.session.undoStack().count(), 1);
+    bench.session.undoStack().undo();
+    QCOMPARE(fieldOf(bench, "date_issued"), std::string("(none)"));
+    QCOMPARE(bench.control<QLineEdit>("field_date_issued")->text(), QString());
 }
 
 void TestCertificatePage::template_builtIn_isChosenAndUndone()

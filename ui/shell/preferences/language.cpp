@@ -3,8 +3,9 @@
 
 #include "ui/shell/preferences/language.h"
 
+#include "ui/text/number_locale.h"
+
 #include <QCoreApplication>
-#include <QLocale>
 
 namespace dyncal {
 
@@ -21,10 +22,7 @@ void Language::install(const QString &code)
     m_code = code;
     for (QTranslator *translator : {&m_own, &m_qt, &m_qtMore})
         QCoreApplication::removeTranslator(translator);
-    // Without grouping signs a shown number can be typed back as it stands.
-    QLocale locale(code == "sv" ? QLocale(QLocale::Swedish, QLocale::Sweden) : QLocale::c());
-    locale.setNumberOptions(QLocale::OmitGroupSeparator | QLocale::RejectGroupSeparator);
-    QLocale::setDefault(locale);
+    QLocale::setDefault(numberLocale(code));
     const auto install = [](QTranslator &translator, const QString &name) {
         if (translator.load(name, ":/i18n"))
             QCoreApplication::installTranslator(&translator);
