@@ -9303,7 +9303,7 @@ steget</translation>
     </message>
     <message>
         <source>Project %1 belongs to the issued certificate %2, so it is read-only; save changes under another name and issue them as an amendment.</source>
-        <translation>Projektet %1 hör till det utfärdade beviset %2, så det är skrivskyddat; spara ändringar under ett annat namn och utfärda dem som ett tillägg.</translation>
+        <translation>Projektet %1 hör till det utfärdade beviset %2, så det är skrivskyddat; spara ändringar under ett annat namn och utfärda dem som en ändring.</translation>
     </message>
     <message>
         <source>Project %1 is open in another program, so it is read-only here; save changes under another name, or open it again once it is closed there.</source>

@@ -35,15 +35,14 @@ KnownPanel::KnownPanel(Session &session, InspectorForm &form, QObject *parent)
     buildFields(form);
     m_list->addButtons(form);
     connect(m_list, &EntryList::selected, this, &KnownPanel::showEntry);
+    const auto entries
+        = [](Recipe &recipe) -> std::vector<KnownSensitivity> & { return recipe.response.known; };
     connectEdits<KnownSensitivity>(session, *m_list,
-        {[](Recipe &recipe) -> auto & { return recipe.response.known;
-}
-, [this] { return m_typed; }, tr("Add a value of another calibration"),
-    tr("Change a value of another calibration"), tr("Remove a value of another calibration")
-} // namespace dyncal
-);
-form.follow([this](const Recipe &recipe) { showRecipe(recipe); });
-showTyped();
+        {entries, [this] { return m_typed; }, tr("Add a value of another calibration"),
+            tr("Change a value of another calibration"),
+            tr("Remove a value of another calibration")});
+    form.follow([this](const Recipe &recipe) { showRecipe(recipe); });
+    showTyped();
 }
 
 QLineEdit *KnownPanel::addLine(

@@ -38,15 +38,13 @@ CapabilityPanel::CapabilityPanel(Session &session, InspectorForm &form, QObject 
     buildFields(form);
     m_list->addButtons(form);
     connect(m_list, &EntryList::selected, this, &CapabilityPanel::showEntry);
+    const auto entries
+        = [](Recipe &recipe) -> std::vector<CapabilityEntry> & { return recipe.uncertainty.cmc; };
     connectEdits<CapabilityEntry>(session, *m_list,
-        {[](Recipe &recipe) -> auto & { return recipe.uncertainty.cmc;
-}
-, [this] { return typed(); }, tr("Add an entry of the CMC"), tr("Change an entry of the CMC"),
-    tr("Remove an entry of the CMC")
-} // namespace dyncal
-);
-form.follow([this](const Recipe &recipe) { showRecipe(recipe); });
-useUnit();
+        {entries, [this] { return typed(); }, tr("Add an entry of the CMC"),
+            tr("Change an entry of the CMC"), tr("Remove an entry of the CMC")});
+    form.follow([this](const Recipe &recipe) { showRecipe(recipe); });
+    useUnit();
 }
 
 void CapabilityPanel::buildFields(InspectorForm &form)

@@ -39,15 +39,14 @@ CorrelationPanel::CorrelationPanel(Session &session, InspectorForm &form, QObjec
     });
     m_list->addButtons(form);
     connect(m_list, &EntryList::selected, this, &CorrelationPanel::showEntry);
+    const auto entries = [](Recipe &recipe) -> std::vector<CorrelationEntry> & {
+        return recipe.uncertainty.correlations;
+    };
     connectEdits<CorrelationEntry>(session, *m_list,
-        {[](Recipe &recipe) -> auto & { return recipe.uncertainty.correlations;
-}
-, [this] { return typed(); }, tr("Add a correlation"), tr("Change a correlation"),
-    tr("Remove a correlation")
-} // namespace dyncal
-);
-form.follow([this](const Recipe &recipe) { showRecipe(recipe); });
-allowWhatIsComplete();
+        {entries, [this] { return typed(); }, tr("Add a correlation"), tr("Change a correlation"),
+            tr("Remove a correlation")});
+    form.follow([this](const Recipe &recipe) { showRecipe(recipe); });
+    allowWhatIsComplete();
 }
 
 QComboBox *CorrelationPanel::addQuantities(
