@@ -94,10 +94,6 @@
         <translation>%1: %2</translation>
     </message>
     <message>
-        <source>%1: %V2</source>
-        <translation>%1: %V2</translation>
-    </message>
-    <message>
         <source>U by the number of shots: %1; never below %2.</source>
         <translation>U efter antal skott: %1; aldrig under %2.</translation>
     </message>
@@ -9289,6 +9285,10 @@ steget</translation>
         <source>None of the results is of a sensor with the serial number %1; there are results of %2.</source>
         <translation>Inget av resultaten är av en givare med serienumret %1; det finns resultat av %2.</translation>
     </message>
+    <message>
+        <source>%1: %V2</source>
+        <translation>%1: %V2</translation>
+    </message>
 </context>
 <context>
     <name>dyncal::ArrivalPanel</name>
@@ -9681,6 +9681,21 @@ steget</translation>
     <message>
         <source>O&amp;pen sensor</source>
         <translation>Öppna &amp;givare</translation>
+    </message>
+</context>
+<context>
+    <name>dyncal::CalendarButton</name>
+    <message>
+        <source>Choose the day in a calendar</source>
+        <translation>Välj dagen i en kalender</translation>
+    </message>
+    <message>
+        <source>Today</source>
+        <translation>I dag</translation>
+    </message>
+    <message>
+        <source>No date</source>
+        <translation>Inget datum</translation>
     </message>
 </context>
 <context>
