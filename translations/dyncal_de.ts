@@ -1270,11 +1270,11 @@
     </message>
     <message>
         <source>stated</source>
-        <translation>ange­geben</translation>
+        <translation>angegeben</translation>
     </message>
     <message>
         <source>computed</source>
-        <translation>berech­net</translation>
+        <translation>berechnet</translation>
     </message>
     <message>
         <source>Pressure steps</source>
@@ -1730,7 +1730,7 @@
     </message>
     <message>
         <source>Amplitude</source>
-        <translation>Ampli­tude</translation>
+        <translation>Amplitude</translation>
     </message>
     <message>
         <source>Results in detail</source>
@@ -2054,7 +2054,7 @@
     </message>
     <message>
         <source>typed</source>
-        <translation>einge­geben</translation>
+        <translation>eingegeben</translation>
     </message>
     <message>
         <source>counters</source>
@@ -2090,7 +2090,7 @@
     </message>
     <message>
         <source>recorded</source>
-        <translation>aufge­zeichnet</translation>
+        <translation>aufgezeichnet</translation>
     </message>
     <message>
         <source>sensor card</source>

@@ -168,6 +168,10 @@ void TestTemplates::twoLanguages_standSideBySide()
     const QString text = pages(path("two/certificate.pdf"));
     QVERIFY(text.contains("Customer / Kund"));
     QVERIFY(text.contains("shall not be reproduced except in full"));
+    QVERIFY(writeBytes(path("german.json"),
+        R"({"schema": "dyncal-recipe/1", "certificate": {"languages": ["en", "de"]}})"));
+    QVERIFY(run("german", {"--recipe", path("german.json")}).exitCode < 2);
+    QVERIFY(pages(path("german/certificate.pdf")).contains("Customer / Auftraggeber"));
 }
 
 void TestTemplates::issued_holdsItsTemplate()

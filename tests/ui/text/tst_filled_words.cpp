@@ -64,18 +64,18 @@ void TestFilledWords::number_hasTheMarkAndGroupsOfThree_data()
     QTest::addColumn<QString>("shown");
     const auto row = [](const char *core, const char *shown) {
         QTest::newRow(core) << QString::fromUtf8(core)
-                            << QString::fromUtf8(shown).replace('_', QChar(0x202f));
+                            << QString::fromUtf8(shown).replace('~', QChar(0x202f));
     };
     row("2.33 MHz", "2,33 MHz");
     row("0.1234", "0,1234"); // four digits are not grouped
-    row("0.02000", "0,020_00");
-    row("0.123456", "0,123_456");
-    row("0.1234567", "0,123_456_7");
+    row("0.02000", "0,020~00");
+    row("0.123456", "0,123~456");
+    row("0.1234567", "0,123~456~7");
     row("1234", "1234");
-    row("20000", "20_000");
-    row("1234567.89 Pa", "1_234_567,89 Pa");
+    row("20000", "20~000");
+    row("1234567.89 Pa", "1~234~567,89 Pa");
     row("2.3301 MHz \u00b1 0.0024 MHz (k = 4.30)", "2,3301 MHz \u00b1 0,0024 MHz (k = 4,30)");
-    row("0.98765 \u00b1 j0.12345", "0,987_65 \u00b1 j0,123_45");
+    row("0.98765 \u00b1 j0.12345", "0,987~65 \u00b1 j0,123~45");
     row("1.5 \u00d710^-7 mV/Pa", "1,5 \u00d710^-7 mV/Pa");
     row("1.5e-07", "1,5e-07");
     row("-0.5 \u00b0", "-0,5 \u00b0");
