@@ -16,8 +16,8 @@
 #include <random>
 
 using dyncal::columnWidths;
-using dyncal::FlowText;
 using dyncal::FlowBlock;
+using dyncal::FlowText;
 using dyncal::placeBlocks;
 using dyncal::PlacedBlock;
 
