@@ -5270,10 +5270,6 @@ steget</translation>
         <translation>%1 är inget Dyncal-projekt; registreringar öppnas med Öppna registreringar.</translation>
     </message>
     <message>
-        <source>Project %1 has version %2, this program reads version %3; open it with the program that wrote it.</source>
-        <translation>Projektet %1 har version %2, detta program läser version %3; öppna det med det program som skrev det.</translation>
-    </message>
-    <message>
         <source>%1 changed since it was imported. The results are of the new data and cannot be certified in this project.</source>
         <translation>%1 har ändrats sedan importen. Resultaten avser nya data och kan inte intygas i detta projekt.</translation>
     </message>
@@ -9285,6 +9281,30 @@ steget</translation>
         <source>None of the results is of a sensor with the serial number %1; there are results of %2.</source>
         <translation>Inget av resultaten är av en givare med serienumret %1; det finns resultat av %2.</translation>
     </message>
+    <message>
+        <source>Project %1 was written by a newer program: it has version %2, and this program reads up to version %3; open it with the newer program.</source>
+        <translation>Projektet %1 skrevs av ett nyare program: det har version %2, och detta program läser till och med version %3; öppna det med det nyare programmet.</translation>
+    </message>
+    <message>
+        <source>Project %1 has version %2, which no program writes (versions go from %3 to %4); take an unchanged copy of the project.</source>
+        <translation>Projektet %1 har version %2, som inget program skriver (versionerna går från %3 till %4); ta en oförändrad kopia av projektet.</translation>
+    </message>
+    <message>
+        <source>Project %1 was written by an older program, as version %2; saving it writes version %3, which that program cannot open. Save it under another name to keep the old one.</source>
+        <translation>Projektet %1 skrevs av ett äldre program, som version %2; när det sparas skrivs version %3, som det programmet inte kan öppna. Spara det under ett annat namn för att behålla det gamla.</translation>
+    </message>
+    <message>
+        <source>Project %1 belongs to the issued certificate %2, so it is read-only; save changes under another name and issue them as an amendment.</source>
+        <translation>Projektet %1 hör till det utfärdade beviset %2 och är därför skrivskyddat; spara ändringar under ett annat namn och utfärda dem som en ändring.</translation>
+    </message>
+    <message>
+        <source>Project %1 is open in another program, so it is read-only here; save changes under another name, or open it again once it is closed there.</source>
+        <translation>Projektet %1 är öppet i ett annat program och är därför skrivskyddat här; spara ändringar under ett annat namn, eller öppna det igen när det har stängts där.</translation>
+    </message>
+    <message>
+        <source>Project %1 is held by %2 on %3 since %4, so it is read-only here; save changes under another name, or open it again once it is closed there.</source>
+        <translation>Projektet %1 är öppet hos %2 på %3 sedan %4 och är därför skrivskyddat här; spara ändringar under ett annat namn, eller öppna det igen när det har stängts där.</translation>
+    </message>
 </context>
 <context>
     <name>dyncal::ArrivalPanel</name>
@@ -12132,6 +12152,10 @@ steget</translation>
     <message>
         <source>What next</source>
         <translation>Vad härnäst</translation>
+    </message>
+    <message>
+        <source>%1 (read-only)</source>
+        <translation>%1 (skrivskyddat)</translation>
     </message>
 </context>
 <context>
