@@ -144,8 +144,10 @@ void FileActions::startJob(const ProjectState &state, const QString &path,
 {
     m_path = path;
     m_onDisk = onDisk;
-    m_holds.keep(access);
+    m_holds.keep({});
     m_older.reset();
+    emit projectChanged(); // what was said of the one before, and closed, is said again
+    m_holds.keep(access);
     m_session.reset(state);
     emit projectChanged();
 }
