@@ -21,9 +21,10 @@ Result<ProjectState> readProjectJob(const std::string &path)
     const Result<ProjectFile> file = readProjectFile(name);
     if (!file)
         return tl::unexpected<Error>(file.error());
-    if (const std::optional<Finding> older = olderVersion(*file))
+    Result<ProjectState> project = readProjectJob(*file);
+    if (const std::optional<Finding> older = olderVersion(*file); project && older)
         reportFindings({*older});
-    return readProjectJob(*file);
+    return project;
 }
 
 Result<ProjectState> readProjectJob(const ProjectFile &file)

@@ -49,9 +49,13 @@ private:
 
     QString path(const QString &name) const { return m_folder.filePath(name); }
     QString project() const { return path("work/job.dyncal"); }
+    /// But the file that says who has the project open, which a killed window leaves to the next.
     QStringList filesThere() const
     {
-        return QDir(path("work")).entryList(QDir::AllEntries | QDir::Hidden | QDir::NoDotAndDotDot);
+        QStringList files
+            = QDir(path("work")).entryList(QDir::AllEntries | QDir::Hidden | QDir::NoDotAndDotDot);
+        files.removeOne(".job.dyncal.held");
+        return files;
     }
 
     /// Which of the two projects the file is; -1: neither.

@@ -51,9 +51,10 @@ private slots:
             "holds the key \"recipe\" twice");
         row("a key twice in the recipe", "'version': 1, 'recipe': {'window': {}, 'window': {}}",
             "holds the key \"window\" twice");
-        row("a minor version", "'version': 1.7, 'recipe': {}", "has version 1.7, this");
-        row("a word for a version", "'version': '1', 'recipe': {}", "has version \"1\", this");
-        row("no version", "'recipe': {}", "has version none, this");
+        row("a minor version", "'version': 1.7, 'recipe': {}",
+            "has version 1.7, which no program writes");
+        row("a word for a version", "'version': '1', 'recipe': {}", "has version \"1\", which");
+        row("no version", "'recipe': {}", "has version none, which");
     }
     void oddContent_isRefused()
     {
