@@ -60,7 +60,10 @@ private:
     }
 
 private slots:
-    void initTestCase() { m_bench = std::make_unique<Bench>(testing::simulatedExample(1e7, 0.006)); }
+    void initTestCase()
+    {
+        m_bench = std::make_unique<Bench>(testing::simulatedExample(1e7, 0.006));
+    }
     void cleanup()
     {
         if (m_bench->isEnabled("earlierRemove"))
