@@ -164,6 +164,7 @@ std::vector<QVariantList> historyRows(const QJsonObject &history, int series)
     const QJsonArray points = history["points"].toArray();
     const QJsonValue values = history["series"][series]["values"];
     std::vector<QVariantList> rows;
+    rows.reserve(static_cast<std::size_t>(points.size()));
     for (int i = 0; i < points.size(); ++i)
         rows.push_back(rowOf(points[i], values[i]));
     return rows;
