@@ -33,13 +33,13 @@ constexpr std::array<const char *, 3> kGroups{
     QT_TRANSLATE_NOOP("dyncal::CertificatePage", "Certificate"),
 };
 
-struct Field
+struct FormField
 {
     const char *key; ///< of recipe certificate.fields
     std::size_t group;
 };
 
-constexpr std::array<Field, 17> kFields{{
+constexpr std::array<FormField, 17> kFields{{
     {"laboratory", 0},
     {"laboratory_address", 0},
     {"place", 0},
@@ -101,7 +101,7 @@ void CertificatePage::buildForm()
     }
     const CertificateData empty
         = makeCertificate({}, {}, {}); // every field that must be there is missing
-    for (const Field &field : kFields) {
+    for (const FormField &field : kFields) {
         const CertificateField *printed = fieldOf(empty, field.key);
         const QString label = printed ? translated(printed->label) : tr("Remarks");
         QWidget *edit = nullptr;
