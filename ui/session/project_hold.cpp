@@ -35,7 +35,8 @@ struct HoldText
 
 QByteArray bytesOf(const HoldText &text)
 {
-    const QJsonObject json{{"format", kHoldFormat}, {"name", QString::fromStdString(text.holder.name)},
+    const QJsonObject json{{"format", kHoldFormat},
+        {"name", QString::fromStdString(text.holder.name)},
         {"machine", QString::fromStdString(text.holder.machine)},
         {"since_utc", QString::fromStdString(text.holder.sinceUtc)},
         {"boot", QString::fromLatin1(text.boot)}};
