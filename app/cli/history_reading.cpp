@@ -11,19 +11,11 @@
 #include "registry/store/registry_address.h"
 
 #include <filesystem>
-#include <fstream>
-#include <iterator>
 
 namespace dyncal {
 namespace {
 
 namespace fs = std::filesystem;
-
-std::optional<IssuedManifest> manifestBeside(const std::string &file)
-{
-    std::ifstream in(fs::path(file).parent_path() / kManifest, std::ios::binary);
-    return in ? parseManifest({std::istreambuf_iterator<char>(in), {}}) : std::nullopt;
-}
 
 /// What the manifest beside it says of these results.
 Result<EarlierCalibration> readCalibration(const std::string &file)
@@ -31,7 +23,7 @@ Result<EarlierCalibration> readCalibration(const std::string &file)
     Result<EarlierResults> read = readEarlierResults(file);
     if (!read)
         return tl::unexpected<Error>(read.error());
-    const auto manifest = manifestBeside(read->file);
+    const auto manifest = readManifest(fs::path(read->file).parent_path().string());
     const std::string name = fs::path(read->file).filename().string();
     if (!manifest || !manifest->files.contains(name))
         return earlierCalibration(std::move(*read));
@@ -40,7 +32,10 @@ Result<EarlierCalibration> readCalibration(const std::string &file)
             {DYNCAL_TEXT("core",
                  "%1 is not the file that was issued (the manifest of certificate %2 has another hash), so it is nobody's history; look with dyncal verify what was changed."),
                 {read->file, std::to_string(manifest->number)}});
-    return earlierCalibration(std::move(*read), manifest->number);
+    Result<EarlierCalibration> issued = earlierCalibration(std::move(*read), manifest->number);
+    if (issued)
+        issued->jobSha256 = manifest->jobSha256;
+    return issued;
 }
 
 std::string whyNotInForce(const CertificateRecord &record)
@@ -56,10 +51,8 @@ std::string whyNotInForce(const CertificateRecord &record)
 
 void lookUpState(const std::vector<CertificateRecord> &records, EarlierCalibration &calibration)
 {
-    const auto manifest = manifestBeside(calibration.file);
     for (const CertificateRecord &record : records)
-        if (manifest && record.number == calibration.number
-            && record.jobSha256 == manifest->jobSha256)
+        if (record.number == calibration.number && record.jobSha256 == calibration.jobSha256)
             calibration.notInForce = whyNotInForce(record);
 }
 

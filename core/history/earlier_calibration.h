@@ -24,6 +24,7 @@ struct EarlierCalibration
     bool isDayOfCalibration = false;
     std::string createdUtc; ///< of the results
     std::optional<MethodVersions> methods; ///< empty: from before they were recorded
+    std::string jobSha256 = {}; ///< of what its certificate is made of; empty: not known
     std::string blocked; ///< why nothing could be issued; empty: it could
     /// Why the laboratory does not stand by its certificate any more; empty: it does, or there is
     /// none, or no registry was asked.

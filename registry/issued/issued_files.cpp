@@ -36,8 +36,7 @@ Result<void> checkPlace(const std::string &folder, const IssuedManifest &own)
     std::error_code unknown;
     if (!fs::exists(fs::symlink_status(folder, unknown)))
         return {};
-    std::ifstream in(fs::path(folder) / kManifest, std::ios::binary);
-    const auto there = parseManifest({std::istreambuf_iterator<char>(in), {}});
+    const auto there = readManifest(folder);
     if (there && there->number == own.number && there->jobSha256 == own.jobSha256
         && there->utc == own.utc)
         return {};
@@ -56,6 +55,12 @@ FolderRequest requestOf(const std::string &folder, const std::vector<std::string
 }
 
 } // namespace
+
+std::optional<IssuedManifest> readManifest(const std::string &folder)
+{
+    std::ifstream in(fs::path(folder) / kManifest, std::ios::binary);
+    return parseManifest({std::istreambuf_iterator<char>(in), {}});
+}
 
 std::string manifestText(const IssuedManifest &manifest)
 {
@@ -109,6 +114,7 @@ Result<std::map<std::string, std::string>> writeIssuedFolder(const std::string &
     if (!write)
         return tl::unexpected<Error>(write.error());
     std::vector<FolderFile> list;
+    list.reserve(all.size());
     for (const auto &[name, bytes] : all)
         list.push_back({name, bytes});
     if (const Result<void> done = write->commit(list, control); !done)

@@ -35,6 +35,8 @@ struct IssuedManifest
 std::string manifestText(const IssuedManifest &manifest);
 /// Empty where it is none, or not byte for byte as manifestText() writes it.
 std::optional<IssuedManifest> parseManifest(const std::string &text);
+/// The one in a folder; empty also where there is no such file.
+std::optional<IssuedManifest> readManifest(const std::string &folder);
 
 /// Whether an issued folder may hold a file of this name (relative).
 bool isIssuedName(const std::string &name);
