@@ -5,6 +5,7 @@
 
 #include "app/cli/columns_text.h"
 
+#include "core/base/calendar_date.h"
 #include "core/base/foreign_text.h"
 #include "core/base/number_text.h"
 #include "core/base/rounding.h"
@@ -23,8 +24,7 @@ constexpr int kDigitsOfRow = 6;
 /// The day alone where the moment is that of the results.
 std::string dayOf(const EarlierCalibration &point)
 {
-    constexpr std::size_t kDay = 10; // "2026-01-31"
-    return point.time.substr(0, kDay);
+    return dayOfMoment(point.time);
 }
 
 std::string pointsText(const SensorHistory &history)

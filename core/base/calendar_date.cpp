@@ -69,6 +69,12 @@ bool isCalendarDate(std::string_view text)
     return !calendarDate(text).empty();
 }
 
+std::string dayOfMoment(std::string_view moment)
+{
+    constexpr std::size_t kDay = 10; // "2026-01-31"
+    return std::string(moment.substr(0, kDay));
+}
+
 std::optional<double> daysSince1970(std::string_view text)
 {
     constexpr double kNoon_s = 43200.0, kDay_s = 86400.0;

@@ -3,6 +3,7 @@
 
 #include "core/issue/issued_recipe.h"
 
+#include "core/base/calendar_date.h"
 #include "core/base/content_hash.h"
 #include "core/base/json_text.h"
 #include "core/certificate/certificate_header_sections.h"
@@ -41,9 +42,8 @@ std::string shotPlace(Index shot)
 
 Recipe issuedRecipe(Recipe recipe, const std::string &number, const IssueNames &names)
 {
-    constexpr std::size_t kDay = 10; // "2026-01-31"
     recipe.certificate.fields["certificate_number"] = number;
-    recipe.certificate.fields["date_issued"] = names.utc.substr(0, kDay);
+    recipe.certificate.fields["date_issued"] = dayOfMoment(names.utc);
     fillBlank(recipe, "operator", names.by);
     if (!names.reviewedBy.empty())
         recipe.certificate.fields["approved_by"] = names.reviewedBy;

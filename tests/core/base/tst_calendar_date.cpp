@@ -24,6 +24,13 @@ private slots:
         QCOMPARE(*daysSince1970("1969-12-31T12:00:00Z"), -0.5);
     }
 
+    void moment_hasItsDay()
+    {
+        QCOMPARE(dayOfMoment("2026-01-31T04:23:11Z"), std::string("2026-01-31"));
+        QCOMPARE(dayOfMoment("2026-01-31"), std::string("2026-01-31"));
+        QCOMPARE(dayOfMoment(""), std::string());
+    }
+
     void dayAlone_isItsNoon()
     {
         QCOMPARE(*daysSince1970("1970-01-01"), 0.5);

@@ -3,6 +3,7 @@
 
 #include "ui/stages/uncertainty/earlier_panel.h"
 
+#include "core/base/calendar_date.h"
 #include "ui/session/session.h"
 #include "ui/stages/frame/inspector_form.h"
 #include "ui/stages/frame/prompts.h"
@@ -45,10 +46,9 @@ EarlierPanel::EarlierPanel(Session &session, Prompts &prompts, InspectorForm &fo
 
 QString EarlierPanel::name() const
 {
-    constexpr int kCharsOfDay = 10; // "2026-01-31"
-    const QString serial = shownText(m_earlier->serial), day = shownText(m_earlier->time);
-    return serial.isEmpty() ? tr("Earlier, %1").arg(day.left(kCharsOfDay))
-                            : tr("Sensor %1, %2").arg(serial, day.left(kCharsOfDay));
+    const QString serial = shownText(m_earlier->serial);
+    const QString day = shownText(dayOfMoment(m_earlier->time));
+    return serial.isEmpty() ? tr("Earlier, %1").arg(day) : tr("Sensor %1, %2").arg(serial, day);
 }
 
 void EarlierPanel::askForFile()
