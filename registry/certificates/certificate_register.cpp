@@ -87,9 +87,8 @@ Result<void> bothNeeded(const std::string &who, const std::string &reason)
             {}});
 }
 
-/// `prepare`: what its tables need before they are used so.
-Result<RegistryDatabase> openedDatabase(
-    const std::string &text, RegistryAccess access, Result<void> (*prepare)(RegistryDatabase &))
+/// With its tables as they are used so: to be read as they are, else brought up to date.
+Result<RegistryDatabase> openedDatabase(const std::string &text, RegistryAccess access)
 {
     const Result<RegistryAddress> address = registryAddress(text);
     if (!address)
@@ -97,7 +96,9 @@ Result<RegistryDatabase> openedDatabase(
     Result<RegistryDatabase> database = RegistryDatabase::open(*address, access);
     if (!database)
         return database;
-    if (const Result<void> ready = prepare(*database); !ready)
+    const Result<void> ready
+        = access == RegistryAccess::Read ? checkSchema(*database) : bringUpToDate(*database);
+    if (!ready)
         return tl::unexpected<Error>(ready.error());
     return database;
 }
@@ -109,24 +110,28 @@ CertificateRegister::CertificateRegister(RegistryDatabase database)
 {
 }
 
+Result<CertificateRegister> CertificateRegister::openFor(
+    RegistryAccess access, const std::string &text)
+{
+    Result<RegistryDatabase> database = openedDatabase(text, access);
+    if (!database)
+        return tl::unexpected<Error>(std::move(database.error()));
+    return CertificateRegister(std::move(*database));
+}
+
 Result<CertificateRegister> CertificateRegister::open(const std::string &text)
 {
-    return openedDatabase(text, RegistryAccess::Write, [](RegistryDatabase &one) {
-        return bringUpToDate(one);
-    }).map([](RegistryDatabase database) { return CertificateRegister(std::move(database)); });
+    return openFor(RegistryAccess::Write, text);
 }
 
 Result<CertificateRegister> CertificateRegister::openToChange(const std::string &text)
 {
-    return openedDatabase(text, RegistryAccess::Change, [](RegistryDatabase &one) {
-        return bringUpToDate(one);
-    }).map([](RegistryDatabase database) { return CertificateRegister(std::move(database)); });
+    return openFor(RegistryAccess::Change, text);
 }
 
 Result<CertificateRegister> CertificateRegister::openToRead(const std::string &text)
 {
-    return openedDatabase(text, RegistryAccess::Read, checkSchema)
-        .map([](RegistryDatabase database) { return CertificateRegister(std::move(database)); });
+    return openFor(RegistryAccess::Read, text);
 }
 
 Result<Records> CertificateRegister::all()

@@ -81,6 +81,7 @@ public:
 
 private:
     explicit CertificateRegister(RegistryDatabase database);
+    static Result<CertificateRegister> openFor(RegistryAccess access, const std::string &address);
 
     Result<ReservedNumber> reserveNow(const NumberRequest &request);
     Result<void> checkFree(const NumberRequest &request);
