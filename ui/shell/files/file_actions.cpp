@@ -140,14 +140,13 @@ void FileActions::readRecordings(const QStringList &paths, bool add)
 }
 
 void FileActions::startJob(const ProjectState &state, const QString &path,
-    const ProjectFileHash &onDisk, const ProjectAccess &access)
+    const ProjectFileHash &onDisk, const ProjectAccess &access, const std::optional<Finding> &older)
 {
     m_path = path;
     m_onDisk = onDisk;
-    m_holds.keep({});
-    m_older.reset();
-    emit projectChanged(); // what was said of the one before, and closed, is said again
     m_holds.keep(access);
+    m_older = older;
+    emit jobStarted();
     m_session.reset(state);
     emit projectChanged();
 }
@@ -227,9 +226,7 @@ void FileActions::openProjectFile(const QString &path, const QStringList &otherF
             m_preferences.setLastFolder(QFileInfo(path).absolutePath());
             m_preferences.addRecentFile(path);
             emit idle(tr("Project opened"));
-            startJob(opened->state, path, opened->sha256, opened->access);
-            m_older = opened->older;
-            emit projectChanged();
+            startJob(opened->state, path, opened->sha256, opened->access, opened->older);
             if (!otherFolders.isEmpty()) // where they were found is worth a save
                 m_session.undoStack().resetClean();
         },

@@ -94,6 +94,7 @@ signals:
     void busy(const QString &what);
     void progress(double fraction);
     void idle(const QString &outcome);
+    void jobStarted(); ///< another one than before; projectChanged() follows
     void projectChanged(); ///< name, modified state, or whether it may be saved
     void workRestored(const QString &file);
     void restoreFailed(const QString &file, const dyncal::Error &error);
@@ -102,7 +103,8 @@ private:
     QStringList askForCaptures();
     void readRecordings(const QStringList &paths, bool add);
     void startJob(const ProjectState &state, const QString &path,
-        const ProjectFileHash &onDisk = {}, const ProjectAccess &access = {});
+        const ProjectFileHash &onDisk = {}, const ProjectAccess &access = {},
+        const std::optional<Finding> &older = {});
     void locateOrShow(const Error &error, const QString &path, const QStringList &otherFolders);
     QJsonObject resultsToKeep() const;
     bool saveTo(const QString &path, const ProjectFileHash &expected);

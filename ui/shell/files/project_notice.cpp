@@ -14,6 +14,8 @@ ProjectNotice::ProjectNotice(FileActions &files, Banner &banner, QObject *parent
     , m_files(files)
     , m_banner(banner)
 {
+    // What was said of the one before, and closed, is said again.
+    connect(&files, &FileActions::jobStarted, this, [this] { m_closed.clear(); });
     connect(&files, &FileActions::projectChanged, this, &ProjectNotice::show);
     connect(&banner, &Banner::chosen, this, &ProjectNotice::obey);
 }
