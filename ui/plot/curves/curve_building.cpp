@@ -182,18 +182,27 @@ PlotContent spectraContent(const QString &title, const WindowResult &window,
     return content;
 }
 
+PlotCurve barsOf(const QString &name, CurveRole role, const BarPoints &points)
+{
+    PlotCurve bars{name, role, CurveStyle::Line, {}, {}, true};
+    for (const BarPoint &point : points) {
+        bars.x.insert(bars.x.end(), 3, point.x);
+        bars.y.insert(bars.y.end(), {point.y - point.U, point.y + point.U, std::nan("")});
+    }
+    return bars;
+}
+
 void addWithBars(const QString &name, CurveRole role, const BarPoints &points, PlotContent &content)
 {
-    PlotCurve bars{Plots::tr("%1, ± U").arg(name), role, CurveStyle::Line, {}, {}, true};
+    if (points.empty())
+        return;
     PlotCurve dots{name, role, CurveStyle::Markers, {}, {}, true};
     for (const BarPoint &point : points) {
         dots.x.push_back(point.x);
         dots.y.push_back(point.y);
-        bars.x.insert(bars.x.end(), 3, point.x);
-        bars.y.insert(bars.y.end(), {point.y - point.U, point.y + point.U, std::nan("")});
     }
-    if (!points.empty())
-        content.curves.insert(content.curves.end(), {std::move(bars), std::move(dots)});
+    content.curves.push_back(barsOf(Plots::tr("%1, ± U").arg(name), role, points));
+    content.curves.push_back(std::move(dots));
 }
 
 PlotAxis timeAxisMeaning()

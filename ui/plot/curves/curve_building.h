@@ -54,6 +54,9 @@ struct BarPoint
 };
 using BarPoints = std::vector<BarPoint>;
 
+/// Bars of ± U, not a band: between two points there may be a resonance.
+PlotCurve barsOf(const QString &name, CurveRole role, const BarPoints &points);
+
 /// Markers of the values with bars of ± U beneath, as two curves; nothing where there are none.
 void addWithBars(
     const QString &name, CurveRole role, const BarPoints &points, PlotContent &content);

@@ -13,19 +13,13 @@ namespace dyncal {
 
 namespace {
 
-/// Bars, not a band: between two frequencies there may be a resonance.
-PlotCurve barsOfU(const QString &name, CurveRole role, const std::vector<Budget> &budgets)
+BarPoints pointsWithU(const std::vector<Budget> &budgets)
 {
-    PlotCurve bars{name, role, CurveStyle::Line, {}, {}, true};
-    for (const Budget &budget : budgets) {
-        const auto U = budget.reported.expanded();
-        if (budget.kind != BudgetOf::Magnitude || !U)
-            continue;
-        bars.x.insert(bars.x.end(), 3, budget.frequency_Hz);
-        bars.y.insert(
-            bars.y.end(), {budget.reported.value - *U, budget.reported.value + *U, std::nan("")});
-    }
-    return bars;
+    BarPoints points;
+    for (const Budget &budget : budgets)
+        if (const auto U = budget.reported.expanded(); budget.kind == BudgetOf::Magnitude && U)
+            points.push_back({budget.frequency_Hz, budget.reported.value, *U});
+    return points;
 }
 
 PlotCurve relativeU(const QString &name, CurveRole role, const std::vector<Budget> &budgets)
@@ -87,7 +81,7 @@ PlotContent expandedMagnitudeCurves(const ResponseResult &response,
         {Plots::tr("Model"), CurveRole::Model, CurveStyle::Line,
             toVector(response.modelCurve.frequency_Hz), toVector(response.modelCurve.magnitude),
             true});
-    addIfAny(content, barsOfU(Plots::tr("± U"), CurveRole::Noise, budgets));
+    addIfAny(content, barsOf(Plots::tr("± U"), CurveRole::Noise, pointsWithU(budgets)));
     addIfAny(content, valuesOf(budgets));
     const PlotCurve relative = relativeU(Plots::tr("U, relative"), CurveRole::Error, budgets);
     content.summary = summaryOf(relative);
