@@ -125,8 +125,18 @@ void HistoryTab::showWords()
     show(m_history);
 }
 
+void HistoryTab::showEvent(QShowEvent *event)
+{
+    QWidget::showEvent(event);
+    if (!m_isRead)
+        refresh();
+}
+
 void HistoryTab::refresh()
 {
+    m_isRead = isVisible();
+    if (!m_isRead)
+        return;
     const QString folder = m_folder->text().trimmed();
     if (folder.isEmpty() || !QDir(folder).exists()) {
         takeSensors({});

@@ -30,12 +30,17 @@ class HistoryTab : public QWidget
 public:
     HistoryTab(RegistryCaller &caller, Prompts &prompts, Preferences &preferences, QWidget *parent);
 
-    void refresh(); ///< reads which sensors there are, then the history of the one that is chosen
+    /// Reads which sensors there are, then the history of the one that is chosen; while the tab is
+    /// not looked at, only once it is: a folder of certificates is a lot to read.
+    void refresh();
     void showWords();
 
 signals:
     void plotExport(const dyncal::PlotWidget *plot);
     void written(const QString &sentence);
+
+protected:
+    void showEvent(QShowEvent *event) override;
 
 private:
     QStringList command() const; ///< of the history on show
@@ -50,6 +55,7 @@ private:
     Prompts &m_prompts;
     Preferences &m_preferences;
     QJsonObject m_history;
+    bool m_isRead = false; ///< since refresh() was asked for
     QLabel *m_folderLabel;
     QLineEdit *m_folder;
     QPushButton *m_choose;
