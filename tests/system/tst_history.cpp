@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: 2026 The Dyncal authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include "core/base/json_text.h"
 #include "tests/support/test_program.h"
 #include "tests/system/issued_job.h"
+#include "tests/system/results_of_years.h"
 
 #include <nlohmann/json.hpp>
 
@@ -13,31 +13,9 @@
 
 namespace {
 
-/// A year's calibration: what it differs in from the issued one.
-struct Year
-{
-    int year = 0;
-    double factor = 1.0; ///< of the sensitivity
-    const char *serial = "17";
-};
-
 nlohmann::json parsed(const QByteArray &text)
 {
     return nlohmann::json::parse(text.toStdString());
-}
-
-/// As a calibration of another year with other recordings would have left it.
-QByteArray resultsOf(const QByteArray &issued, const Year &made)
-{
-    nlohmann::json root = parsed(issued);
-    const std::string year = std::to_string(made.year);
-    nlohmann::json &fields = root["recipe"]["certificate"]["fields"];
-    fields["date_performed"] = year + "-03-01";
-    fields["sensor_serial"] = made.serial;
-    root["created_utc"] = year + "-03-02T08:00:00Z";
-    root["inputs"][0]["sha256"] = std::string(60, 'a') + year;
-    root["sensitivity"]["value"] = made.factor * root["sensitivity"]["value"].get<double>();
-    return QByteArray::fromStdString(dyncal::jsonText(root));
 }
 
 } // namespace

@@ -3,82 +3,34 @@
 
 // The history of a sensor in the window of the registry, by the program as it is built.
 
-#include "core/pipeline/pipeline.h"
 #include "tests/support/test_program.h"
-#include "tests/system/issued_job.h"
-#include "tests/ui/shell/window_bench.h"
+#include "tests/system/results_of_years.h"
+#include "tests/ui/shell/registry/registry_bench.h"
 #include "tests/ui/support/window_grounds.h"
 #include "ui/plot/widget/plot_widget.h"
-#include "ui/shell/registry/registry_window.h"
 
-#include <QAction>
 #include <QComboBox>
-#include <QLabel>
 #include <QLineEdit>
-#include <QPushButton>
 #include <QTabWidget>
-#include <QTableView>
-#include <QtTest>
 
 using namespace dyncal;
 
 namespace {
 
-constexpr int kPatience_ms = 120'000;
 constexpr int kHistoryTab = 4;
 
-/// The window of the registry with a folder of results.
-struct Bench : test::WindowBench
+/// The window of the registry at its last tab.
+struct Bench : test::RegistryBench
 {
-    IssuedJob job;
-    RegistryWindow *registry = nullptr;
-
-    Bench()
-        : WindowBench(runPipeline)
-    {
-        preferences.setIssuing(Preferences::Issuing::Registry, job.registry());
-        preferences.setIssuing(Preferences::Issuing::Folder, job.output());
-        window->show();
-    }
     void showHistory()
     {
-        find<QAction>("registryAction")->trigger();
-        registry = find<RegistryWindow>("registryWindow");
-        registry->setProgram(qEnvironmentVariable("DYNCAL_BINARY"));
+        showRegistry();
         find<QTabWidget>("registryTabs")->setCurrentIndex(kHistoryTab);
-        registry->refresh();
-        settle();
-    }
-    void settle() const { QTRY_VERIFY_WITH_TIMEOUT(!registry->isBusy(), kPatience_ms); }
-    QAbstractItemModel *table() const { return find<QTableView>("historyTable")->model(); }
-    QString cell(int row, int column) const
-    {
-        return table()->index(row, column).data().toString();
+        waitForRegistry();
     }
     const PlotContent &drawn() const { return find<PlotWidget>("historyPlot")->content(); }
-    QString said() const { return find<QLabel>("registryOutcome")->text(); }
+    QString said() const { return text("registryOutcome"); }
 };
-
-QByteArray ofYear(const QByteArray &issued, int year, const char *serial, double factor)
-{
-    QJsonObject root = QJsonDocument::fromJson(issued).object();
-    QJsonObject recipe = root["recipe"].toObject(), certificate = recipe["certificate"].toObject(),
-                fields = certificate["fields"].toObject(),
-                sensitivity = root["sensitivity"].toObject();
-    fields["date_performed"] = QString("%1-03-01").arg(year);
-    fields["sensor_serial"] = serial;
-    certificate["fields"] = fields;
-    recipe["certificate"] = certificate;
-    root["recipe"] = recipe;
-    QJsonArray inputs = root["inputs"].toArray();
-    QJsonObject input = inputs[0].toObject();
-    input["sha256"] = QString("%1").arg(year, 64, 10, QChar('0'));
-    inputs[0] = input;
-    root["inputs"] = inputs;
-    sensitivity["value"] = sensitivity["value"].toDouble() * factor;
-    root["sensitivity"] = sensitivity;
-    return QJsonDocument(root).toJson();
-}
 
 } // namespace
 
@@ -99,7 +51,7 @@ private:
             const QString folder = bench.job.output() + QString("/year%1").arg(year);
             QVERIFY(QDir().mkpath(folder));
             QVERIFY(writeBytes(folder + "/results.json",
-                ofYear(issued, year, year == 2025 ? "18" : "17", year == 2023 ? 1.1 : 1.0)));
+                resultsOf(issued, {year, year == 2023 ? 1.1 : 1.0, year == 2025 ? "18" : "17"})));
         }
     }
 
@@ -120,9 +72,9 @@ void TestHistoryTab::sensor_isFollowedOverTheYears()
     auto *sensor = bench.find<QComboBox>("historySensor");
     QCOMPARE(sensor->count(), 2);
     QCOMPARE(sensor->currentText(), QString("17 (5)"));
-    QCOMPARE(bench.table()->rowCount(), 5);
-    QCOMPARE(bench.cell(0, 0), QString("2026-01-07")); // the newest first
-    QCOMPARE(bench.cell(0, 1), QString("1"));
+    QCOMPARE(bench.rows("historyTable"), 5);
+    QCOMPARE(bench.cell("historyTable", 0, 0), QString("2026-01-07")); // the newest first
+    QCOMPARE(bench.cell("historyTable", 0, 1), QString("1"));
     auto *series = bench.find<QComboBox>("historySeries");
     QCOMPARE(series->count(), 3);
     series->setCurrentIndex(2);
@@ -134,18 +86,18 @@ void TestHistoryTab::sensor_isFollowedOverTheYears()
     auto *frequencies = bench.find<QLineEdit>("historyFrequencies");
     frequencies->setText("1000; 1,25e3");
     QTest::keyClick(frequencies, Qt::Key_Return);
-    bench.settle();
+    bench.waitForRegistry();
     QVERIFY2(series->count() == 7, qPrintable(bench.said()));
 
     sensor->setCurrentIndex(1);
     emit sensor->activated(1);
-    bench.settle();
-    QCOMPARE(bench.table()->rowCount(), 1);
+    bench.waitForRegistry();
+    QCOMPARE(bench.rows("historyTable"), 1);
 
     const QString csv = bench.job.path("history.csv");
     bench.prompts.setNextFile(csv);
     bench.find<QPushButton>("historySave")->click();
-    bench.settle();
+    bench.waitForRegistry();
     QVERIFY2(bench.said().contains("history.csv"), qPrintable(bench.said()));
     QVERIFY(fileBytes(csv).startsWith("quantity,"));
 }
@@ -159,7 +111,7 @@ void TestHistoryTab::withdrawn_isLeftOut()
             .exitCode,
         0);
     bench.showHistory();
-    QCOMPARE(bench.table()->rowCount(), 4);
+    QCOMPARE(bench.rows("historyTable"), 4);
     QVERIFY(bench.find<QLabel>("historySummary")->text().contains("withdrawn or replaced"));
 }
 
@@ -173,15 +125,15 @@ void TestHistoryTab::nothingThere_isSaid()
     makeYears(bench);
     QVERIFY(writeBytes(bench.job.output() + "/year2021/results.json", "no JSON"));
     bench.registry->refresh();
-    bench.settle();
-    QCOMPARE(bench.table()->rowCount(), 4);
+    bench.waitForRegistry();
+    QCOMPARE(bench.rows("historyTable"), 4);
     QVERIFY2(bench.said().contains("year2021"), qPrintable(bench.said()));
     auto *frequencies = bench.find<QLineEdit>("historyFrequencies");
     frequencies->setText("often");
     QTest::keyClick(frequencies, Qt::Key_Return);
-    bench.settle();
+    bench.waitForRegistry();
     QVERIFY2(bench.said().endsWith('.'), qPrintable(bench.said()));
-    QCOMPARE(bench.table()->rowCount(), 4); // what was there stays
+    QCOMPARE(bench.rows("historyTable"), 4); // what was there stays
 }
 
 void TestHistoryTab::everythingFits()

@@ -4,62 +4,31 @@
 // The registry through its window, and a certificate issued, amended and withdrawn from it, by the
 // program as it is built.
 
-#include "core/pipeline/pipeline.h"
 #include "tests/support/test_program.h"
-#include "tests/system/issued_job.h"
-#include "tests/ui/shell/window_bench.h"
+#include "tests/ui/shell/registry/registry_bench.h"
 #include "tests/ui/support/event_loop_watchdog.h"
 #include "tests/ui/support/window_grounds.h"
 #include "ui/shell/registry/issue_dialog.h"
-#include "ui/shell/registry/registry_window.h"
 
-#include <QAction>
 #include <QComboBox>
-#include <QLabel>
 #include <QLineEdit>
 #include <QListWidget>
 #include <QPlainTextEdit>
-#include <QPushButton>
 #include <QTabWidget>
-#include <QTableView>
 #include <QTableWidget>
-#include <QtTest>
 
 using namespace dyncal;
 using dyncal::test::EventLoopWatchdog;
 
 namespace {
 
-constexpr int kPatience_ms = 120'000;
 constexpr qint64 kLongestWork_ms = 200;
 
-/// The main window with a laboratory's folder and the registry in it.
-struct Bench : test::WindowBench
+/// The same with what issues.
+struct Bench : test::RegistryBench
 {
-    IssuedJob job;
-    RegistryWindow *registry = nullptr;
     QPointer<IssueDialog> issuing;
 
-    Bench()
-        : WindowBench(runPipeline)
-    {
-        preferences.setIssuing(Preferences::Issuing::Registry, job.registry());
-        preferences.setIssuing(Preferences::Issuing::Folder, job.output());
-        window->show();
-    }
-    QString path(const QString &name) const { return job.path(name); }
-    QPushButton *button(const char *name) const { return find<QPushButton>(name); }
-    QString text(const char *label) const { return find<QLabel>(label)->text(); }
-
-    void showRegistry()
-    {
-        find<QAction>("registryAction")->trigger();
-        registry = find<RegistryWindow>("registryWindow");
-        registry->setProgram(qEnvironmentVariable("DYNCAL_BINARY"));
-        registry->refresh();
-        waitForRegistry();
-    }
-    void waitForRegistry() const { QTRY_VERIFY_WITH_TIMEOUT(!registry->isBusy(), kPatience_ms); }
     void openJob() const
     {
         window->files().openProjectFile(path("job.dyncal"));
@@ -88,11 +57,6 @@ struct Bench : test::WindowBench
             lines << list->item(row)->text();
         return lines;
     }
-    QString cell(const char *table, int row, int column) const
-    {
-        return find<QTableView>(table)->model()->index(row, column).data().toString();
-    }
-    int rows(const char *table) const { return find<QTableView>(table)->model()->rowCount(); }
     void choose(const char *table, int row) const { find<QTableView>(table)->selectRow(row); }
     void setCard(int row, int column, const QString &text) const
     {
@@ -210,7 +174,7 @@ void TestRegistryWindow::obstacles_areNamedBeforeAnythingIsWritten()
     bench.window->session().apply(next, "order");
     QVERIFY2(bench.obstacles().first().contains("CER-004"), qPrintable(bench.obstacles().first()));
     QVERIFY(!bench.button("issueNow")->isEnabled());
-    QTRY_VERIFY_WITH_TIMEOUT(bench.window->session().isUpToDate(), kPatience_ms);
+    QTRY_VERIFY_WITH_TIMEOUT(bench.window->session().isUpToDate(), Bench::kPatience_ms);
     QTRY_VERIFY(!bench.obstacles().first().contains("CER-004"));
     QVERIFY(!QDir(bench.job.output()).exists());
     QVERIFY(!QFile::exists(bench.job.registry()));
