@@ -19,7 +19,7 @@ set(rooms_of_core base base/writing capture
 set(rooms_of_registry trail store cards certificates issued)
 set(rooms_of_ui text session plot/values plot/curves plot/qcp plot/widget report
     stages/frame stages/candidates stages/shock stages/window stages/spectrum stages/model
-    stages/order stages/uncertainty stages/comparison stages
+    stages/order stages/uncertainty stages/comparison stages/certificate stages
     shell/banner shell/preferences shell/import shell/findings shell/files shell/program
     shell/batch shell/registry shell/recovery shell/correction shell)
 

@@ -2757,8 +2757,8 @@
         <translation>Die Datei „%1“ hat die Prüfsumme %2, aber %3.sha256 verlangt %4: Sie wurde geändert, oder es ist eine andere Datei. Sie wiederherstellen oder die neue Prüfsumme angeben.</translation>
     </message>
     <message>
-        <source>The file &apos;%1&apos; of %2.source cannot be used. %3</source>
-        <translation>Die Datei „%1“ von %2.source ist nicht verwendbar. %3</translation>
+        <source>The file &apos;%1&apos; of %2.source cannot be used. %M1</source>
+        <translation>Die Datei „%1“ von %2.source ist nicht verwendbar. %M1</translation>
     </message>
     <message>
         <source>The gas &apos;%1&apos; has no heat capacity over temperature; choose air, n2, he, ar or co2, or a constant heat capacity.</source>
@@ -2841,8 +2841,8 @@
         <translation>Es gibt keine Ablesung eines Zählers.</translation>
     </message>
     <message>
-        <source>Shot %1: the uncertainty of the step could not be checked by Monte Carlo (%2); what the law of propagation gives may be wrong.</source>
-        <translation>Schuss %1: Die Unsicherheit des Sprungs konnte nicht durch Monte Carlo geprüft werden (%2); was das Fortpflanzungsgesetz ergibt, ist vielleicht falsch.</translation>
+        <source>Shot %1: the uncertainty of the step could not be checked by Monte Carlo (%M1); what the law of propagation gives may be wrong.</source>
+        <translation>Schuss %1: Die Unsicherheit des Sprungs konnte nicht durch Monte Carlo geprüft werden (%M1); was das Fortpflanzungsgesetz ergibt, ist vielleicht falsch.</translation>
     </message>
     <message>
         <source>The gas constants recorded in the capture give a speed of sound of %1 in the driven gas, the gas that it names gives %2: with that the pressure step would be %3 % different. The constants are used; choose the driven gas.</source>
@@ -3209,12 +3209,12 @@
         <translation>%1 bei %2</translation>
     </message>
     <message>
-        <source>%1 states %2, this calibration %3: they differ by %4 %, En = %5, more than both expanded uncertainties, and are not joined to one curve. Check unit, range, gas and mounting of either; the one that is wrong is not known.</source>
-        <translation>%1 nennt %2, diese Kalibrierung %3: Sie unterscheiden sich um %4 %, En = %5, mehr als beide erweiterten Messunsicherheiten, und werden nicht zu einer Kurve zusammengeführt. Einheit, Bereich, Gas und Einbau beider prüfen; welche falsch ist, ist nicht bekannt.</translation>
+        <source>%M1 states %1, this calibration %2: they differ by %3 %, En = %4, more than both expanded uncertainties, and are not joined to one curve. Check unit, range, gas and mounting of either; the one that is wrong is not known.</source>
+        <translation>%M1 nennt %1, diese Kalibrierung %2: Sie unterscheiden sich um %3 %, En = %4, mehr als beide erweiterten Messunsicherheiten, und werden nicht zu einer Kurve zusammengeführt. Einheit, Bereich, Gas und Einbau beider prüfen; welche falsch ist, ist nicht bekannt.</translation>
     </message>
     <message>
-        <source>%1 of response.known cannot be compared with this calibration: %2. Correct it, or leave it out.</source>
-        <translation>%1 von response.known lässt sich mit dieser Kalibrierung nicht vergleichen: %2. Es berichtigen oder weglassen.</translation>
+        <source>%M1 of response.known cannot be compared with this calibration: %M2. Correct it, or leave it out.</source>
+        <translation>%M1 von response.known lässt sich mit dieser Kalibrierung nicht vergleichen: %M2. Es berichtigen oder weglassen.</translation>
     </message>
     <message>
         <source>the model was not refined</source>
@@ -3241,8 +3241,8 @@
         <translation>Die Empfindlichkeit hat keine vollständige Unsicherheit: Die des Pegels beim Einsatz ist nicht bekannt. Das Modell verfeinern oder eine Ordnung wählen, deren Pegel bekannt ist.</translation>
     </message>
     <message>
-        <source>The sensitivity has no complete uncertainty (%1). State what is missing in uncertainty.budget or in the capture; without it no sensitivity is a result.</source>
-        <translation>Die Empfindlichkeit hat keine vollständige Unsicherheit (%1). Das Fehlende in uncertainty.budget oder in der Aufzeichnung angeben; ohne es ist keine Empfindlichkeit ein Ergebnis.</translation>
+        <source>The sensitivity has no complete uncertainty (%M1). State what is missing in uncertainty.budget or in the capture; without it no sensitivity is a result.</source>
+        <translation>Die Empfindlichkeit hat keine vollständige Unsicherheit (%M1). Das Fehlende in uncertainty.budget oder in der Aufzeichnung angeben; ohne es ist keine Empfindlichkeit ein Ergebnis.</translation>
     </message>
     <message>
         <source>%1 is %2 % of the variance of the sensitivity: to know it better is what makes its uncertainty smaller.</source>
@@ -3433,8 +3433,8 @@
         <translation>%1 wurde nach dem Öffnen geändert, daher ist das Gezeigte vielleicht nicht mehr das, was sie enthält. Neu lesen; vorher wird nichts exportiert.</translation>
     </message>
     <message>
-        <source>A file of the folder was left out. %1</source>
-        <translation>Eine Datei des Ordners wurde weggelassen. %1</translation>
+        <source>A file of the folder was left out. %M1</source>
+        <translation>Eine Datei des Ordners wurde weggelassen. %M1</translation>
     </message>
     <message>
         <source>%1 of the inputs cannot be read:</source>
@@ -3633,12 +3633,12 @@
         <translation>%1: Kanal %2 enthält Zählwerte des Wandlers und keine Skalierung; Skalierung und Einheit angeben, sonst bedeuten seine Werte nichts.</translation>
     </message>
     <message>
-        <source>%1: a channel was left out. %2</source>
-        <translation>%1: Ein Kanal wurde weggelassen. %2</translation>
+        <source>%1: a channel was left out. %M1</source>
+        <translation>%1: Ein Kanal wurde weggelassen. %M1</translation>
     </message>
     <message>
-        <source>%1 has no channel that can be read. %2</source>
-        <translation>%1 hat keinen lesbaren Kanal. %2</translation>
+        <source>%1 has no channel that can be read. %M1</source>
+        <translation>%1 hat keinen lesbaren Kanal. %M1</translation>
     </message>
     <message>
         <source>%1 holds no data; it is likely an incomplete copy or a recording that never began.</source>
@@ -3649,8 +3649,8 @@
         <translation>%1 hat die TDMS-Version %2, die dieses Programm nicht kennt; gelesen wurde wie Version 4713.</translation>
     </message>
     <message>
-        <source>%1 What stands before was read.</source>
-        <translation>%1 Was davor steht, wurde gelesen.</translation>
+        <source>%M1 What stands before was read.</source>
+        <translation>%M1 Was davor steht, wurde gelesen.</translation>
     </message>
     <message>
         <source>%1 was not closed by the program that wrote it, or its end is missing; all values that are there were read.</source>
@@ -3905,8 +3905,80 @@
         <translation>Das Ergebnis ist keine endliche Zahl.</translation>
     </message>
     <message>
-        <source>Monte Carlo: %1 of %2 trials leave the range of the relations (%3); the stated uncertainties are too large for the value.</source>
-        <translation>Monte Carlo: %1 von %2 Versuchen verlassen den Gültigkeitsbereich der Beziehungen (%3); die angegebenen Unsicherheiten sind für den Wert zu groß.</translation>
+        <source>Monte Carlo: %1 of %2 trials leave the range of the relations (%M1); the stated uncertainties are too large for the value.</source>
+        <translation>Monte Carlo: %1 von %2 Versuchen verlassen den Gültigkeitsbereich der Beziehungen (%M1); die angegebenen Unsicherheiten sind für den Wert zu groß.</translation>
+    </message>
+    <message>
+        <source>Not evaluated where the state follows from a pressure.</source>
+        <translation>Nicht ausgewertet, wo der Zustand aus einem Druck folgt.</translation>
+    </message>
+    <message>
+        <source>There is not enough memory to draw the certificate and the plots, and nothing was written; close other programs or raise the memory limit.</source>
+        <translation>Der Speicher reicht nicht, um den Kalibrierschein und die Diagramme zu zeichnen, und nichts wurde geschrieben; schließen Sie andere Programme oder erhöhen Sie die Speichergrenze.</translation>
+    </message>
+    <message>
+        <source>Earlier calibrations</source>
+        <translation>Frühere Kalibrierungen</translation>
+    </message>
+    <message>
+        <source>When the certificate is issued, the laboratory&apos;s certificates of this sensor that are in force are stated here.</source>
+        <translation>Bei der Ausstellung werden hier die gültigen Kalibrierscheine des Laboratoriums für diesen Sensor angegeben.</translation>
+    </message>
+    <message>
+        <source>inside</source>
+        <translation>innerhalb</translation>
+    </message>
+    <message>
+        <source>beyond the warning limits</source>
+        <translation>außerhalb der Warngrenzen</translation>
+    </message>
+    <message>
+        <source>beyond the action limits</source>
+        <translation>außerhalb der Eingriffsgrenzen</translation>
+    </message>
+    <message>
+        <source>Date</source>
+        <translation>Datum</translation>
+    </message>
+    <message>
+        <source>Certificate</source>
+        <translation>Kalibrierschein</translation>
+    </message>
+    <message>
+        <source>Control chart</source>
+        <translation>Regelkarte</translation>
+    </message>
+    <message>
+        <source>%M1: it drifts by %M2, more than its U.</source>
+        <translation>%M1: Drift von %M2, mehr als ihr U.</translation>
+    </message>
+    <message>
+        <source>%M1: the drift of %M2 is within its U.</source>
+        <translation>%M1: die Drift von %M2 liegt innerhalb ihres U.</translation>
+    </message>
+    <message>
+        <source>Magnitude at %1</source>
+        <translation>Betrag bei %1</translation>
+    </message>
+    <message>
+        <source>Phase at %1</source>
+        <translation>Phase bei %1</translation>
+    </message>
+    <message>
+        <source>What the laboratory&apos;s certificates of this sensor state that are in force, this one last. En compares a value with the one before: up to 1 they agree within their U. Control limits need five calibrations.</source>
+        <translation>Was die gültigen Kalibrierscheine des Laboratoriums für diesen Sensor angeben, dieser zuletzt. En vergleicht einen Wert mit dem vorhergehenden: bis 1 stimmen sie innerhalb ihrer U überein. Regelgrenzen erfordern fünf Kalibrierungen.</translation>
+    </message>
+    <message>
+        <source>Calibrations of one laboratory share tube, references and method: what they share is in every U and cancels in the difference, so that En is smaller than it would be for independent results.</source>
+        <translation>Kalibrierungen eines Laboratoriums teilen Rohr, Referenzen und Verfahren: das Gemeinsame steckt in jedem U und hebt sich in der Differenz auf, sodass En kleiner ist als bei unabhängigen Ergebnissen.</translation>
+    </message>
+    <message>
+        <source>* outside the scope: the laboratory states no calibration and measurement capability (CMC) at this frequency.</source>
+        <translation>* außerhalb des Geltungsbereichs: Das Laboratorium gibt bei dieser Frequenz keine Kalibrier- und Messmöglichkeit (CMC) an.</translation>
+    </message>
+    <message>
+        <source>%1 values of S(f), from %2 to %3, lie outside the frequencies that the laboratory states a capability (CMC) for; the certificate marks them as outside the scope.</source>
+        <translation>%1 Werte von S(f), von %2 bis %3, liegen außerhalb der Frequenzen, für die das Laboratorium eine Messfähigkeit (CMC) angibt; der Kalibrierschein kennzeichnet sie als außerhalb des Geltungsbereichs.</translation>
     </message>
 </context>
 </TS>

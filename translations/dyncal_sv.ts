@@ -4274,8 +4274,8 @@ steget</translation>
         <translation>Mappen %1 kan inte listas; kontrollera att du har läsbehörighet.</translation>
     </message>
     <message>
-        <source>A file of the folder was left out. %1</source>
-        <translation>En fil i mappen utelämnades. %1</translation>
+        <source>A file of the folder was left out. %M1</source>
+        <translation>En fil i mappen utelämnades. %M1</translation>
     </message>
     <message>
         <source>%1 and %2 hold identical data; a shot counted twice makes the scatter look smaller than it is. Take one of them out.</source>
@@ -5274,8 +5274,8 @@ steget</translation>
         <translation>%1 har ändrats sedan importen. Resultaten avser nya data och kan inte intygas i detta projekt.</translation>
     </message>
     <message>
-        <source>The project could not be saved as %1 (%2); choose another place.</source>
-        <translation>Projektet kunde inte sparas som %1 (%2); välj en annan plats.</translation>
+        <source>The project could not be saved as %1 (%M1); choose another place.</source>
+        <translation>Projektet kunde inte sparas som %1 (%M1); välj en annan plats.</translation>
     </message>
     <message>
         <source>%1 recordings of this project were not found: %2. Put them back where they were, or beside the project, and open it again.</source>
@@ -5654,12 +5654,12 @@ steget</translation>
         <translation>%1: kanal %2 innehåller omvandlarkoder och ingen skala; ange skala och enhet, annars betyder värdena inget.</translation>
     </message>
     <message>
-        <source>%1: a channel was left out. %2</source>
-        <translation>%1: en kanal utelämnades. %2</translation>
+        <source>%1: a channel was left out. %M1</source>
+        <translation>%1: en kanal utelämnades. %M1</translation>
     </message>
     <message>
-        <source>%1 has no channel that can be read. %2</source>
-        <translation>%1 har ingen kanal som kan läsas. %2</translation>
+        <source>%1 has no channel that can be read. %M1</source>
+        <translation>%1 har ingen kanal som kan läsas. %M1</translation>
     </message>
     <message>
         <source>%1 holds no data; it is likely an incomplete copy or a recording that never began.</source>
@@ -5670,8 +5670,8 @@ steget</translation>
         <translation>%1 har TDMS-version %2, som programmet inte känner; den lästes som version 4713.</translation>
     </message>
     <message>
-        <source>%1 What stands before was read.</source>
-        <translation>%1 Det som står före lästes.</translation>
+        <source>%M1 What stands before was read.</source>
+        <translation>%M1 Det som står före lästes.</translation>
     </message>
     <message>
         <source>%1 was not closed by the program that wrote it, or its end is missing; all values that are there were read.</source>
@@ -5858,8 +5858,8 @@ steget</translation>
         <translation>%1 är en av infilerna och skrivs inte över; ge registreringen ett annat namn.</translation>
     </message>
     <message>
-        <source>Monte Carlo: %1 of %2 trials leave the range of the relations (%3); the stated uncertainties are too large for the value.</source>
-        <translation>Monte Carlo: %1 av %2 försök lämnar sambandens giltighetsområde (%3); de angivna osäkerheterna är för stora för värdet.</translation>
+        <source>Monte Carlo: %1 of %2 trials leave the range of the relations (%M1); the stated uncertainties are too large for the value.</source>
+        <translation>Monte Carlo: %1 av %2 försök lämnar sambandens giltighetsområde (%M1); de angivna osäkerheterna är för stora för värdet.</translation>
     </message>
     <message>
         <source>Monte Carlo with %1 trials; it must be 0 (adaptive) or between %2 and %3.</source>
@@ -6106,8 +6106,8 @@ steget</translation>
         <translation>%1 ordningar begärdes; jämför högst %2 åt gången.</translation>
     </message>
     <message>
-        <source>Shot %1: the uncertainty of the step could not be checked by Monte Carlo (%2); what the law of propagation gives may be wrong.</source>
-        <translation>Skott %1: stegets osäkerhet kunde inte kontrolleras med Monte Carlo (%2); vad fortplantningslagen ger kan vara fel.</translation>
+        <source>Shot %1: the uncertainty of the step could not be checked by Monte Carlo (%M1); what the law of propagation gives may be wrong.</source>
+        <translation>Skott %1: stegets osäkerhet kunde inte kontrolleras med Monte Carlo (%M1); vad fortplantningslagen ger kan vara fel.</translation>
     </message>
     <message>
         <source>Use order %1</source>
@@ -7198,8 +7198,8 @@ steget</translation>
         <translation>Känsligheten har ingen fullständig osäkerhet: den för nivån vid stegets början är inte känd. Förfina modellen, eller välj en ordning vars nivå är känd.</translation>
     </message>
     <message>
-        <source>The sensitivity has no complete uncertainty (%1). State what is missing in uncertainty.budget or in the capture; without it no sensitivity is a result.</source>
-        <translation>Känsligheten har ingen fullständig osäkerhet (%1). Ange det som saknas i uncertainty.budget eller i registreringen; utan den är ingen känslighet ett resultat.</translation>
+        <source>The sensitivity has no complete uncertainty (%M1). State what is missing in uncertainty.budget or in the capture; without it no sensitivity is a result.</source>
+        <translation>Känsligheten har ingen fullständig osäkerhet (%M1). Ange det som saknas i uncertainty.budget eller i registreringen; utan den är ingen känslighet ett resultat.</translation>
     </message>
     <message>
         <source>%1 is %2 % of the variance of the sensitivity: to know it better is what makes its uncertainty smaller.</source>
@@ -7762,8 +7762,8 @@ steget</translation>
         <translation>Filen %1 kan inte läsas: %2.</translation>
     </message>
     <message>
-        <source>The file &apos;%1&apos; of %2.source cannot be used. %3</source>
-        <translation>Filen &apos;%1&apos; i %2.source kan inte användas. %3</translation>
+        <source>The file &apos;%1&apos; of %2.source cannot be used. %M1</source>
+        <translation>Filen &apos;%1&apos; i %2.source kan inte användas. %M1</translation>
     </message>
     <message>
         <source>The table has a column &apos;%1&apos;; it may have frequency_hz, magnitude, u_magnitude, phase_rad, u_phase_rad and dof.</source>
@@ -7930,10 +7930,6 @@ steget</translation>
         <translation>En</translation>
     </message>
     <message>
-        <source>%1: %2</source>
-        <translation>%1: %2</translation>
-    </message>
-    <message>
         <source>static: %V1</source>
         <translation>statiskt: %V1</translation>
     </message>
@@ -7962,12 +7958,12 @@ steget</translation>
         <translation>%1 vid %2</translation>
     </message>
     <message>
-        <source>%1 states %2, this calibration %3: they differ by %4 %, En = %5, more than both expanded uncertainties, and are not joined to one curve. Check unit, range, gas and mounting of either; the one that is wrong is not known.</source>
-        <translation>%1 anger %2, denna kalibrering %3: de skiljer sig med %4 %, En = %5, mer än båda utvidgade osäkerheterna, och förenas inte till en kurva. Kontrollera enhet, område, gas och montering för båda; vilken som är fel är inte känt.</translation>
+        <source>%M1 states %1, this calibration %2: they differ by %3 %, En = %4, more than both expanded uncertainties, and are not joined to one curve. Check unit, range, gas and mounting of either; the one that is wrong is not known.</source>
+        <translation>%M1 anger %1, denna kalibrering %2: de skiljer sig med %3 %, En = %4, mer än båda utvidgade osäkerheterna, och förenas inte till en kurva. Kontrollera enhet, område, gas och montering för båda; vilken som är fel är inte känt.</translation>
     </message>
     <message>
-        <source>%1 of response.known cannot be compared with this calibration: %2. Correct it, or leave it out.</source>
-        <translation>%1 i response.known kan inte jämföras med denna kalibrering: %2. Rätta det, eller utelämna det.</translation>
+        <source>%M1 of response.known cannot be compared with this calibration: %M2. Correct it, or leave it out.</source>
+        <translation>%M1 i response.known kan inte jämföras med denna kalibrering: %M2. Rätta det, eller utelämna det.</translation>
     </message>
     <message>
         <source>The recordings of the results in %1 changed while they were read; repeat it when nothing writes to them.</source>
@@ -9312,6 +9308,86 @@ steget</translation>
     <message>
         <source>Project %1 is held by %2 on %3 since %4, so it is read-only here; save changes under another name, or open it again once it is closed there.</source>
         <translation>Projektet %1 hålls av %2 på %3 sedan %4, så det är skrivskyddat här; spara ändringar under ett annat namn, eller öppna det igen när det har stängts där.</translation>
+    </message>
+    <message>
+        <source>%1: %M1</source>
+        <translation>%1: %M1</translation>
+    </message>
+    <message>
+        <source>Not evaluated where the state follows from a pressure.</source>
+        <translation>Utvärderas inte där tillståndet följer av ett tryck.</translation>
+    </message>
+    <message>
+        <source>The document cannot be shown: its pages cannot be read; export it and open it in another program.</source>
+        <translation>Dokumentet kan inte visas: dess sidor kan inte läsas; exportera det och öppna det i ett annat program.</translation>
+    </message>
+    <message>
+        <source>Earlier calibrations</source>
+        <translation>Tidigare kalibreringar</translation>
+    </message>
+    <message>
+        <source>When the certificate is issued, the laboratory&apos;s certificates of this sensor that are in force are stated here.</source>
+        <translation>När beviset utfärdas anges här laboratoriets gällande bevis för denna givare.</translation>
+    </message>
+    <message>
+        <source>The folder %1 cannot be read (%2), and the certificate is to state the sensor&apos;s history from it; give the rights to read it, or choose a template without the section &apos;history&apos;.</source>
+        <translation>Mappen %1 kan inte läsas (%2), och beviset ska ange givarens historik från den; ge läsrättigheter, eller välj en mall utan avsnittet &apos;history&apos;.</translation>
+    </message>
+    <message>
+        <source>The certificate is to state the sensor&apos;s history, and %1 cannot be read, so that the history might lack a certificate; mend or move that file, or choose a template without the section &apos;history&apos;.</source>
+        <translation>Beviset ska ange givarens historik, och %1 kan inte läsas, så att historiken kan sakna ett bevis; laga eller flytta filen, eller välj en mall utan avsnittet &apos;history&apos;.</translation>
+    </message>
+    <message>
+        <source>* outside the scope: the laboratory states no calibration and measurement capability (CMC) at this frequency.</source>
+        <translation>* utanför omfattningen: laboratoriet anger ingen kalibrerings- och mätförmåga (CMC) vid denna frekvens.</translation>
+    </message>
+    <message>
+        <source>inside</source>
+        <translation>innanför</translation>
+    </message>
+    <message>
+        <source>beyond the warning limits</source>
+        <translation>utanför varningsgränserna</translation>
+    </message>
+    <message>
+        <source>beyond the action limits</source>
+        <translation>utanför åtgärdsgränserna</translation>
+    </message>
+    <message>
+        <source>Certificate</source>
+        <translation>Bevis</translation>
+    </message>
+    <message>
+        <source>Control chart</source>
+        <translation>Styrdiagram</translation>
+    </message>
+    <message>
+        <source>%M1: it drifts by %M2, more than its U.</source>
+        <translation>%M1: den driver med %M2, mer än dess U.</translation>
+    </message>
+    <message>
+        <source>%M1: the drift of %M2 is within its U.</source>
+        <translation>%M1: driften %M2 ligger inom dess U.</translation>
+    </message>
+    <message>
+        <source>Magnitude at %1</source>
+        <translation>Belopp vid %1</translation>
+    </message>
+    <message>
+        <source>Phase at %1</source>
+        <translation>Fas vid %1</translation>
+    </message>
+    <message>
+        <source>What the laboratory&apos;s certificates of this sensor state that are in force, this one last. En compares a value with the one before: up to 1 they agree within their U. Control limits need five calibrations.</source>
+        <translation>Vad laboratoriets gällande bevis för denna givare anger, detta sist. En jämför ett värde med det föregående: upp till 1 stämmer de överens inom sina U. Styrgränser kräver fem kalibreringar.</translation>
+    </message>
+    <message>
+        <source>Calibrations of one laboratory share tube, references and method: what they share is in every U and cancels in the difference, so that En is smaller than it would be for independent results.</source>
+        <translation>Kalibreringar i ett laboratorium delar rör, referenser och metod: det gemensamma ingår i varje U och tar ut sig i skillnaden, så att En blir mindre än för oberoende resultat.</translation>
+    </message>
+    <message>
+        <source>%1 values of S(f), from %2 to %3, lie outside the frequencies that the laboratory states a capability (CMC) for; the certificate marks them as outside the scope.</source>
+        <translation>%1 värden av S(f), från %2 till %3, ligger utanför de frekvenser som laboratoriet anger en mätförmåga (CMC) för; beviset märker dem som utanför omfattningen.</translation>
     </message>
 </context>
 <context>
@@ -13036,6 +13112,33 @@ steget</translation>
     <message>
         <source>Values at the cursors</source>
         <translation>Värden vid markörerna</translation>
+    </message>
+</context>
+<context>
+    <name>dyncal::PreviewPanel</name>
+    <message>
+        <source>Size of the preview</source>
+        <translation>Förhandsvisningens storlek</translation>
+    </message>
+    <message>
+        <source>Page width</source>
+        <translation>Sidbredd</translation>
+    </message>
+    <message>
+        <source>%1 %</source>
+        <translation>%1 %</translation>
+    </message>
+    <message>
+        <source>The document follows when the results are computed.</source>
+        <translation>Dokumentet visas när resultaten är beräknade.</translation>
+    </message>
+    <message>
+        <source>The document is being drawn...</source>
+        <translation>Dokumentet ritas...</translation>
+    </message>
+    <message>
+        <source>Page %1 of %2, as it would be exported now</source>
+        <translation>Sida %1 av %2, så som det skulle exporteras nu</translation>
     </message>
 </context>
 <context>

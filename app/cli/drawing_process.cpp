@@ -157,10 +157,11 @@ Result<std::vector<DrawnFile>> drawWithoutWindow(const CalibrationResults &resul
 
 Result<std::vector<DrawnFile>> drawWithoutWindow(const CalibrationResults &results,
     const Recipe &recipe, const std::string &createdUtc, const ChosenTemplate &chosen,
-    const CertificateIssue &issue)
+    const CertificateIssue &issue, const std::vector<FigureMaker> &moreFigures)
 {
     return drawnElsewhere([&](const std::function<void()> &beat) {
-        ReportDrawing drawing(results, recipe, createdUtc, ReportParts::Certificate, chosen, issue);
+        ReportDrawing drawing(
+            results, recipe, createdUtc, ReportParts::Certificate, chosen, issue, moreFigures);
         return drawnInSteps(drawing, beat);
     });
 }

@@ -7,6 +7,7 @@
 #include "core/certificate/certificate_issue.h"
 #include "core/project/template_choice.h"
 #include "core/results/run_files.h"
+#include "ui/report/report_figures.h"
 
 #include <string>
 #include <vector>
@@ -20,10 +21,10 @@ namespace dyncal {
 Result<std::vector<DrawnFile>> drawWithoutWindow(const CalibrationResults &results,
     const Recipe &recipe, const std::string &createdUtc, const ChosenTemplate &chosen);
 
-/// certificate.pdf alone, issued.
+/// certificate.pdf alone, issued, with the figures of sections that the results do not know of.
 Result<std::vector<DrawnFile>> drawWithoutWindow(const CalibrationResults &results,
     const Recipe &recipe, const std::string &createdUtc, const ChosenTemplate &chosen,
-    const CertificateIssue &issue);
+    const CertificateIssue &issue, const std::vector<FigureMaker> &moreFigures = {});
 
 /// The same of a document of words and tables, as one file of that name.
 Result<std::vector<DrawnFile>> drawWithoutWindow(

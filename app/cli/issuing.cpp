@@ -5,14 +5,18 @@
 
 #include "app/base/interrupt.h"
 #include "app/cli/drawing_process.h"
+#include "app/cli/issued_history.h"
 
 #include "core/base/content_hash.h"
 #include "core/capture/capture_seal.h"
 #include "core/certificate/certificate_issue.h"
+#include "core/history/history_files.h"
+#include "core/history/history_section.h"
 #include "core/reference/reference_source.h"
 #include "core/results/results_json.h"
 #include "registry/issued/folder_check.h"
 #include "registry/issued/issued_files.h"
+#include "ui/report/history_figures.h"
 #include "ui/session/project_file.h"
 
 namespace dyncal {
@@ -63,8 +67,28 @@ void keepSource(const Settings &settings, Files &files)
         files[keptSourceName(settings.source, settings.loaded->sha256)] = settings.loaded->content;
 }
 
+/// What a template that asks for it gets of the sensor's earlier certificates.
+struct StatedHistory
+{
+    std::optional<CertificateSection> section = {};
+    std::vector<FigureMaker> figures = {};
+};
+
+Result<StatedHistory> historyFor(const ChosenTemplate &chosen, const IssueOrder &order,
+    const CertificateRecord &record, Files &files)
+{
+    if (std::ranges::find(chosen.layout.sections, kHistorySection) == chosen.layout.sections.end())
+        return StatedHistory{};
+    const Result<SensorHistory> history
+        = issuedHistory(order.output, order.registry, record, files["results.json"]);
+    if (!history)
+        return tl::unexpected<Error>(history.error());
+    files[kHistoryFile] = historyCsv(*history);
+    return StatedHistory{historySection(*history), historyFigureMakers(*history)};
+}
+
 Result<Files> filesOf(const ProjectState &job, const PipelineOutcome &outcome,
-    const ChosenTemplate &chosen, const CertificateRecord &record)
+    const ChosenTemplate &chosen, const IssueOrder &order, const CertificateRecord &record)
 {
     // The names that were given when the number was reserved, and its time: a restart later makes
     // the same files.
@@ -78,10 +102,14 @@ Result<Files> filesOf(const ProjectState &job, const PipelineOutcome &outcome,
     if (recipe.comparison.enabled)
         keepSource(recipe.comparison, files);
     files.merge(keptTemplateFiles(chosen));
+    Result<StatedHistory> history = historyFor(chosen, order, record, files);
+    if (!history)
+        return tl::unexpected<Error>(history.error());
     const CertificateIssue issue{number, certificateNumber(record.amends), record.reason,
-        record.head, sha256Hex(std::string_view(files["results.json"]))};
-    Result<std::vector<DrawnFile>> drawn
-        = drawWithoutWindow(outcome.results, recipe, record.reservedUtc, chosen, issue);
+        record.head, sha256Hex(std::string_view(files["results.json"])),
+        std::move(history->section)};
+    Result<std::vector<DrawnFile>> drawn = drawWithoutWindow(
+        outcome.results, recipe, record.reservedUtc, chosen, issue, history->figures);
     if (!drawn)
         return tl::unexpected<Error>(drawn.error());
     for (DrawnFile &file : *drawn)
@@ -133,7 +161,7 @@ Result<IssuedCertificate> issueCertificate(const ProjectState &job, const Pipeli
     const CertificateRecord &record = reserved->record;
     if (record.state != CertificateState::Reserved)
         return issuedBefore(order, record);
-    const Result<Files> files = filesOf(job, outcome, chosen, record);
+    const Result<Files> files = filesOf(job, outcome, chosen, order, record);
     if (!files)
         return tl::unexpected<Error>(files.error());
     const auto hashes

@@ -29,8 +29,8 @@ Error outsideDomain(Index failed, Index trials, const Error &first)
     return {ErrorKind::DataBlocked,
         Message{
             DYNCAL_TEXT("core",
-                "Monte Carlo: %1 of %2 trials leave the range of the relations (%3); the stated uncertainties are too large for the value."),
-            {std::to_string(failed), std::to_string(trials), english(first.message)}},
+                "Monte Carlo: %1 of %2 trials leave the range of the relations (%M1); the stated uncertainties are too large for the value."),
+            {std::to_string(failed), std::to_string(trials)}, {first.message}},
         {}, 0};
 }
 

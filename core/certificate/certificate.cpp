@@ -8,6 +8,7 @@
 #include "core/certificate/certificate_figures.h"
 #include "core/certificate/certificate_frequency_section.h"
 #include "core/certificate/certificate_header_sections.h"
+#include "core/certificate/certificate_history.h"
 #include "core/certificate/certificate_key_section.h"
 #include "core/certificate/certificate_method_sections.h"
 #include "core/certificate/certificate_result_sections.h"
@@ -45,6 +46,7 @@ const std::map<std::string, Maker> &makers()
         {"shots", [](C c) { return shotsSection(c.results, c.recipe); }},
         {"model", [](C c) { return modelSection(c.results, c.recipe); }},
         {"frequency-response", [](C c) { return frequencyResponseSection(c.results, c.recipe); }},
+        {kHistorySection, [](C) { return historyToCome(); }},
         {"remarks", [](C c) { return remarksSection(c.results, c.recipe); }},
         {"records", [](C c) { return recordsSection(c.results, c.createdUtc); }},
         {"statements", [](C c) { return statementsSection(c.recipe); }},

@@ -10,6 +10,7 @@
 #include "core/certificate/certificate_reference.h"
 #include "core/certificate/certificate_words.h"
 #include "core/pipeline/calibration_kind.h"
+#include "core/uncertainty/capability.h"
 
 #include <algorithm>
 #include <cmath>
@@ -248,8 +249,30 @@ void addJoined(const UncertaintyReport &report, const std::vector<FrequencyLine>
     }
 }
 
+/// A value outside the laboratory's scope is marked (CER-007).
+Message markedCell(
+    const FrequencyLine &line, Message frequency, const UncertaintySettings &settings)
+{
+    if (!isOutsideScope(settings.cmc, line.frequency_Hz())
+        || !std::isfinite(valueAt(line.uncertainty->u_magnitude, line.row)))
+        return frequency;
+    return {"%M1 *", {}, {std::move(frequency)}};
+}
+
+void addNoteOfScope(
+    const std::vector<FrequencyLine> &lines, const Recipe &recipe, CertificateSection &section)
+{
+    if (std::ranges::any_of(lines, [&](const FrequencyLine &line) {
+            return *markedCell(line, {}, recipe.uncertainty).text != '\0';
+        }))
+        section.notes.push_back(
+            {DYNCAL_TEXT("core",
+                 "* outside the scope: the laboratory states no calibration and measurement capability (CMC) at this frequency."),
+                {}});
+}
+
 CertificateTable frequencyTable(const ResponseResult &response, const UncertaintyReport &report,
-    const std::vector<FrequencyLine> &lines)
+    const Recipe &recipe, const std::vector<FrequencyLine> &lines)
 {
     CertificateTable table;
     table.id = "frequency-response";
@@ -264,7 +287,8 @@ CertificateTable frequencyTable(const ResponseResult &response, const Uncertaint
     table.columns = frequencyColumns();
     const std::vector<double> sorted = sortedFrequencies(response);
     for (const FrequencyLine &line : lines)
-        table.rows.push_back(frequencyRow(line, frequencyCell(line, report, sorted)));
+        table.rows.push_back(frequencyRow(
+            line, markedCell(line, frequencyCell(line, report, sorted), recipe.uncertainty)));
     addJoined(report, lines, table);
     return table;
 }
@@ -357,7 +381,8 @@ CertificateSection frequencyResponseSection(const CalibrationResults &results, c
     const UncertaintyReport &report = results.uncertainty ? *results.uncertainty : none;
     const std::vector<FrequencyLine> lines = linesOf(response, report);
     if (!lines.empty())
-        section.tables.push_back(frequencyTable(response, report, lines));
+        section.tables.push_back(frequencyTable(response, report, recipe, lines));
+    addNoteOfScope(lines, recipe, section);
     addKnown(report, section);
     addNoteOfMarks(response, section);
     addNotes(response, rowsInBand(response).size(), section);

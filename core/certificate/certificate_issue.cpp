@@ -3,6 +3,7 @@
 
 #include "core/certificate/certificate_issue.h"
 
+#include "core/certificate/certificate_history.h"
 #include "core/certificate/certificate_words.h"
 
 #include <algorithm>
@@ -61,6 +62,9 @@ void markIssued(const CertificateIssue &issue, CertificateData &data)
     if (!issue.amends.empty() && !data.sections.empty())
         data.sections.front().fields.push_back(replacedField(issue));
     stateTraceability(data);
+    const auto history = std::ranges::find(data.sections, kHistorySection, &CertificateSection::id);
+    if (history != data.sections.end() && issue.history)
+        *history = *issue.history;
     const auto records = std::ranges::find(data.sections, "records", &CertificateSection::id);
     data.sections.insert(records, issueSection(issue));
 }

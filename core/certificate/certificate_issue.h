@@ -5,6 +5,7 @@
 
 #include "core/certificate/certificate_data.h"
 
+#include <optional>
 #include <string>
 
 namespace dyncal {
@@ -17,6 +18,8 @@ struct CertificateIssue
     std::string reason = {}; ///< of the amendment: what changed
     std::string head = {}; ///< SHA-256 of the last entry of the audit trail before issuing
     std::string resultsSha256 = {}; ///< of results.json beside it
+    /// For that of the template (certificate_history.h), where it has one.
+    std::optional<CertificateSection> history = {};
 };
 
 /// Makes the certificate an issued one: number, state, what it replaces, and what it is bound to.

@@ -195,7 +195,11 @@ bool CertificateTemplate::states(const std::string &quantity) const
 
 const Names &templateSections()
 {
-    static const Names names = CertificateTemplate().sections;
+    static const Names names = [] {
+        Names all = CertificateTemplate().sections;
+        all.emplace_back(kHistorySection); // only where a laboratory wants it
+        return all;
+    }();
     return names;
 }
 

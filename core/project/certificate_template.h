@@ -12,6 +12,10 @@
 
 namespace dyncal {
 
+/// The section of what earlier certificates of the sensor state; no template that comes with the
+/// program has it.
+inline constexpr const char *kHistorySection = "history";
+
 /// What a document of results shows, and in which order: a file "dyncal-template/1", which a
 /// laboratory edits (docs/certificate.md). The defaults are the template "accredited".
 struct CertificateTemplate

@@ -55,7 +55,7 @@ Result<std::string> contentOf(const std::string &path, std::size_t most)
 /// A sentence about the content of a file begins with the file's name.
 Error inFile(const std::string &path, Error error)
 {
-    error.message = {DYNCAL_TEXT("core", "%1: %2"), {path, english(error.message)}};
+    error.message = {DYNCAL_TEXT("core", "%1: %M1"), {path}, {error.message}};
     return error;
 }
 

@@ -46,8 +46,8 @@ Result<CertifiedReference> readContent(const CertifiedSource &source)
 /// Both kinds of files have the same form, so only here it is known what they are of.
 Error named(Error error, const CertifiedSource &source)
 {
-    error.message = {DYNCAL_TEXT("core", "The file '%1' of %2.source cannot be used. %3"),
-        {source.path, source.section, english(error.message)}};
+    error.message = {DYNCAL_TEXT("core", "The file '%1' of %2.source cannot be used. %M1"),
+        {source.path, source.section}, {error.message}};
     return error;
 }
 

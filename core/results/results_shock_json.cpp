@@ -156,9 +156,9 @@ void addMonteCarlo(JsonRecord &record, const ShotMonteCarlo *shot)
 void addUncertainty(
     JsonRecord &record, const ShockConditions &shock, const ShotMonteCarlo *monteCarlo)
 {
-    const std::string reason = !shock.uncertaintyMissing.empty() ? shock.uncertaintyMissing
-        : shock.states                                           ? std::string(kNoUncertainty)
-                       : std::string("There is no velocity.");
+    const std::string reason = shock.uncertaintyMissing ? english(*shock.uncertaintyMissing)
+        : shock.states                                  ? std::string(kNoUncertainty)
+                                                        : std::string("There is no velocity.");
     const auto u = [&](StepResult result) {
         return shock.uncertainty ? shock.uncertainty->u(result) : std::nullopt;
     };

@@ -43,7 +43,7 @@ struct ShockConditions
     /// The inputs of `uncertainty`; also where the state follows from a pressure, to compare the
     /// velocity of that with what the records say.
     std::optional<StepMeasurement> measurement;
-    std::string uncertaintyMissing; ///< why there is none, in English
+    std::optional<Message> uncertaintyMissing; ///< why there is none
     std::vector<MeasuredPressure> measured; ///< read from the records, with predictions
     std::optional<PlateauEnd> plateauEnd; ///< what ends the plateau `plateau_s`
     std::optional<TubeDiagram> diagram; ///< where length and arrival at the wall are known

@@ -218,7 +218,8 @@ void addUncertainty(ShockWork &work, const SectionState &state, const VelocityEs
     if (estimate.fit && estimate.sightings.empty())
         measurement.counters = work.settings.counters;
     if (work.settings.stateFrom != "velocity") {
-        c.uncertaintyMissing = "Not evaluated where the state follows from a pressure.";
+        c.uncertaintyMissing = Message{
+            DYNCAL_TEXT("core", "Not evaluated where the state follows from a pressure."), {}};
         measurement.uAssumedVelocity_relative
             = assumedOfPressure(work, state, *estimate.velocity_m_s);
         c.measurement = std::move(measurement);
@@ -226,13 +227,13 @@ void addUncertainty(ShockWork &work, const SectionState &state, const VelocityEs
     }
     auto uncertainty = evaluateStep(measurement, work.request);
     if (!uncertainty) {
-        c.uncertaintyMissing = english(uncertainty.error().message);
+        c.uncertaintyMissing = uncertainty.error().message;
         if (uncertainty.error().kind == ErrorKind::Usage)
             work.done = tl::unexpected(uncertainty.error());
         return;
     }
     if (uncertainty->stepMissing)
-        c.uncertaintyMissing = english(*uncertainty->stepMissing);
+        c.uncertaintyMissing = uncertainty->stepMissing;
     c.uncertainty = std::move(*uncertainty);
     c.measurement = std::move(measurement);
 }

@@ -19,8 +19,8 @@ Finding monteCarloFailed(Index shot, const Error &error)
         .shot = shot,
         .message
         = {DYNCAL_TEXT("core",
-               "Shot %1: the uncertainty of the step could not be checked by Monte Carlo (%2); what the law of propagation gives may be wrong."),
-            {std::to_string(shot), english(error.message)}}};
+               "Shot %1: the uncertainty of the step could not be checked by Monte Carlo (%M1); what the law of propagation gives may be wrong."),
+            {std::to_string(shot)}, {error.message}}};
 }
 
 } // namespace

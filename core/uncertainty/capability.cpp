@@ -3,6 +3,8 @@
 
 #include "core/uncertainty/capability.h"
 
+#include "core/base/number_text.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -107,7 +109,44 @@ void holdRows(
     }
 }
 
+/// Frequencies of a response whose magnitude is stated outside the scope.
+void addOutside(const std::vector<CapabilityEntry> &cmc, const ResponseResult &response,
+    const RowUncertainty &rows, std::vector<double> &outside_Hz)
+{
+    for (Index row = 0; row < rows.u_magnitude.size(); ++row)
+        if (std::isfinite(rows.u_magnitude[row]) && std::isfinite(response.magnitude[row])
+            && isOutsideScope(cmc, response.frequency_Hz[row]))
+            outside_Hz.push_back(response.frequency_Hz[row]);
+}
+
+void judgeScope(const std::vector<CapabilityEntry> &cmc, const ResponseResult &response,
+    UncertaintyReport &report)
+{
+    std::vector<double> outside_Hz;
+    addOutside(cmc, response, report.rows, outside_Hz);
+    if (response.atMarks)
+        addOutside(cmc, *response.atMarks, report.rowsAtMarks, outside_Hz);
+    if (outside_Hz.empty())
+        return;
+    const auto [lowest, highest] = std::ranges::minmax(outside_Hz);
+    report.findings.push_back({.id = "CER-007",
+        .severity = Severity::Caution,
+        .message
+        = {DYNCAL_TEXT("core",
+               "%1 values of S(f), from %2 to %3, lie outside the frequencies that the laboratory states a capability (CMC) for; the certificate marks them as outside the scope."),
+            {std::to_string(outside_Hz.size()), numberWithUnit(lowest, "Hz", 4),
+                numberWithUnit(highest, "Hz", 4)}}});
+}
+
 } // namespace
+
+bool isOutsideScope(const std::vector<CapabilityEntry> &cmc, double frequency_Hz)
+{
+    const auto isOfRows = [](const CapabilityEntry &entry) { return entry.of == "magnitude"; };
+    return std::ranges::any_of(cmc, isOfRows)
+        && std::ranges::none_of(cmc,
+            [&](const CapabilityEntry &entry) { return isFor(entry, "magnitude", frequency_Hz); });
+}
 
 double leastExpanded(const std::vector<CapabilityEntry> &cmc, const std::string &of, double value,
     double frequency_Hz)
@@ -136,6 +175,7 @@ void holdToCapability(const std::vector<CapabilityEntry> &cmc, const ResponseRes
     holdRows(cmc, response, report.rows);
     if (response.atMarks)
         holdRows(cmc, *response.atMarks, report.rowsAtMarks);
+    judgeScope(cmc, response, report);
 }
 
 } // namespace dyncal

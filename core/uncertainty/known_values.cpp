@@ -142,10 +142,11 @@ Finding differs(const KnownValue &known)
         .severity = Severity::Caution,
         .message
         = {DYNCAL_TEXT("core",
-               "%1 states %2, this calibration %3: they differ by %4 %, En = %5, more than both expanded uncertainties, and are not joined to one curve. Check unit, range, gas and mounting of either; the one that is wrong is not known."),
-            {english(nameOf(known.stated)), numberWithUnit(known.other.value, unit, kDigitsOfKnown),
+               "%M1 states %1, this calibration %2: they differ by %3 %, En = %4, more than both expanded uncertainties, and are not joined to one curve. Check unit, range, gas and mounting of either; the one that is wrong is not known."),
+            {numberWithUnit(known.other.value, unit, kDigitsOfKnown),
                 numberWithUnit(known.here.value, unit, kDigitsOfKnown),
-                numberText(kPercent * known.difference_relative(), 2), numberText(known.e_n, 2)}},
+                numberText(kPercent * known.difference_relative(), 2), numberText(known.e_n, 2)},
+            {nameOf(known.stated)}},
         .value = known.e_n,
         .limit = 1.0};
 }
@@ -156,8 +157,8 @@ Finding notCompared(const KnownValue &known)
         .severity = Severity::Caution,
         .message
         = {DYNCAL_TEXT("core",
-               "%1 of response.known cannot be compared with this calibration: %2. Correct it, or leave it out."),
-            {english(nameOf(known.stated)), english(known.missing)}}};
+               "%M1 of response.known cannot be compared with this calibration: %M2. Correct it, or leave it out."),
+            {}, {nameOf(known.stated), known.missing}}};
 }
 
 } // namespace

@@ -125,8 +125,8 @@ Message reasonOf(const ShockConditionsSet &shock)
     for (const ShockConditions &shot : shock.shots) {
         if (shot.uncertainty && shot.uncertainty->stepMissing)
             return *shot.uncertainty->stepMissing;
-        if (!shot.uncertainty && !shot.uncertaintyMissing.empty())
-            return {"%1", {shot.uncertaintyMissing}};
+        if (!shot.uncertainty && shot.uncertaintyMissing)
+            return *shot.uncertaintyMissing;
     }
     return {};
 }
@@ -145,8 +145,8 @@ void judgeMissing(const UncertaintyReport &report, const ResponseResult &respons
                 {}}
             : Message{
                 DYNCAL_TEXT("core",
-                    "The sensitivity has no complete uncertainty (%1). State what is missing in uncertainty.budget or in the capture; without it no sensitivity is a result."),
-                {english(reason)}}});
+                    "The sensitivity has no complete uncertainty (%M1). State what is missing in uncertainty.budget or in the capture; without it no sensitivity is a result."),
+                {}, {reason}}});
 }
 
 /// One line that is more than 80 % of the variance of the sensitivity.

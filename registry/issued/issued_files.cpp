@@ -21,8 +21,8 @@ namespace fs = std::filesystem;
 using Json = nlohmann::json;
 
 constexpr const char *kSchema = "dyncal-manifest/1";
-constexpr std::array<const char *, 7> kNames{"project.dyncal", "recipe.json", "results.json",
-    "certificate.pdf", "dcc.xml", kAuditFile, kManifest};
+constexpr std::array<const char *, 8> kNames{"project.dyncal", "recipe.json", "results.json",
+    "certificate.pdf", "dcc.xml", kHistoryFile, kAuditFile, kManifest};
 
 IssuedManifest manifestOf(const ReservedNumber &reserved)
 {

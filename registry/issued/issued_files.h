@@ -18,6 +18,8 @@ inline constexpr const char *kManifest = "manifest.json";
 inline constexpr const char *kAuditFile = "audit.jsonl";
 inline constexpr const char *kFrozenProject = "project.dyncal";
 inline constexpr const char *kIssuedPdf = "certificate.pdf";
+/// The sensor's history as a table, where the certificate states it.
+inline constexpr const char *kHistoryFile = "history.csv";
 
 /// What manifest.json of an issued folder says (schema "dyncal-manifest/1").
 struct IssuedManifest

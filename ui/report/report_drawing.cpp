@@ -116,9 +116,10 @@ struct ReportDrawing::Private
 
 ReportDrawing::ReportDrawing(const CalibrationResults &results, const Recipe &recipe,
     const std::string &createdUtc, ReportParts parts, const ChosenTemplate &chosen,
-    const std::optional<CertificateIssue> &issue)
+    const std::optional<CertificateIssue> &issue, const std::vector<FigureMaker> &moreFigures)
     : d(std::make_unique<Private>(results, recipe, createdUtc, chosen, issue))
 {
+    d->makers.insert(d->makers.end(), moreFigures.begin(), moreFigures.end());
     d->plots = parts == ReportParts::CertificateAndPlots;
     d->failed = !qobject_cast<QApplication *>(QCoreApplication::instance());
 }

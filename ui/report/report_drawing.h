@@ -7,6 +7,7 @@
 #include "core/certificate/certificate_issue.h"
 #include "core/project/template_choice.h"
 #include "core/results/run_files.h"
+#include "ui/report/report_figures.h"
 
 #include <chrono>
 #include <memory>
@@ -21,13 +22,15 @@ enum class ReportParts { Certificate, CertificateAndPlots };
 /// needs the thread of the window, which must stay free to answer. All texts are in the language of
 /// the recipe's certificate, whatever that of the window; `createdUtc` (ISO 8601 with Z) is printed
 /// and makes the bytes reproducible. A draft unless `issue` makes it a certificate; `chosen`
-/// says what it shows. Needs a QApplication.
+/// says what it shows; `moreFigures` are those of sections that the results do not know of. Needs a
+/// QApplication.
 class ReportDrawing
 {
 public:
     ReportDrawing(const CalibrationResults &results, const Recipe &recipe,
         const std::string &createdUtc, ReportParts parts, const ChosenTemplate &chosen = {},
-        const std::optional<CertificateIssue> &issue = {});
+        const std::optional<CertificateIssue> &issue = {},
+        const std::vector<FigureMaker> &moreFigures = {});
     ~ReportDrawing();
     ReportDrawing(const ReportDrawing &) = delete;
     ReportDrawing &operator=(const ReportDrawing &) = delete;

@@ -11,6 +11,8 @@ namespace dyncal {
 
 namespace {
 
+QJsonArray jsonOf(const std::vector<Message> &messages);
+
 QJsonObject jsonOf(const Message &message)
 {
     QJsonObject json{{"text", message.text}};
@@ -19,11 +21,8 @@ QJsonObject jsonOf(const Message &message)
         arguments << QString::fromStdString(argument);
     if (!arguments.isEmpty())
         json["arguments"] = arguments;
-    QJsonArray below;
-    for (const Message &more : message.below)
-        below << jsonOf(more);
-    if (!below.isEmpty())
-        json["below"] = below;
+    if (!message.below.empty())
+        json["below"] = jsonOf(message.below);
     return json;
 }
 

@@ -264,8 +264,8 @@ Result<std::string> saveProject(const QString &path, const ProjectState &state,
     if (written.error().findingId == kChangedMeanwhile)
         return tl::unexpected(written.error());
     return fail(ErrorKind::FileUnreadable,
-        {DYNCAL_TEXT("core", "The project could not be saved as %1 (%2); choose another place."),
-            {path.toStdString(), english(written.error().message)}});
+        {DYNCAL_TEXT("core", "The project could not be saved as %1 (%M1); choose another place."),
+            {path.toStdString()}, {written.error().message}});
 }
 
 Result<ProjectState> openProject(

@@ -294,7 +294,7 @@ void MainWindow::buildPages()
     connect(m_start, &StartPage::openExampleRequested, m_files, &FileActions::openExample);
     connect(m_start, &StartPage::openProjectRequested, m_files, &FileActions::openProject);
 
-    m_pages = stagePages(m_session, m_prompts, *m_files);
+    m_pages = stagePages(m_session, m_currentUtc, m_prompts, *m_files);
 
     m_stageList = new StageList(m_stagesDock);
     m_stagesDock->setWidget(m_stageList);

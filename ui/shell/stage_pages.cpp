@@ -7,7 +7,7 @@
 #include "ui/shell/files/file_actions.h"
 #include "ui/shell/import/capture_import.h"
 #include "ui/stages/captures_page.h"
-#include "ui/stages/certificate_page.h"
+#include "ui/stages/certificate/certificate_page.h"
 #include "ui/stages/checks_page.h"
 #include "ui/stages/comparison/comparison_page.h"
 #include "ui/stages/components_page.h"
@@ -42,7 +42,8 @@ void askForTemplate(CertificatePage &page, Prompts &prompts, const Session &sess
 
 } // namespace
 
-std::vector<StagePage *> stagePages(Session &session, Prompts &prompts, FileActions &files)
+std::vector<StagePage *> stagePages(
+    Session &session, const CurrentUtc &currentUtc, Prompts &prompts, FileActions &files)
 {
     auto *captures = new CapturesPage(session, prompts);
     QObject::connect(captures, &CapturesPage::addRequested, &files, &FileActions::addCaptures);
@@ -50,7 +51,7 @@ std::vector<StagePage *> stagePages(Session &session, Prompts &prompts, FileActi
         captures, &CapturesPage::importRequested, &files.captures(), &CaptureImport::edit);
     QObject::connect(
         captures, &CapturesPage::importChanged, &files.captures(), &CaptureImport::change);
-    auto *certificate = new CertificatePage(session);
+    auto *certificate = new CertificatePage(session, currentUtc);
     QObject::connect(
         certificate, &CertificatePage::exportRequested, &files, &FileActions::exportCertificate);
     QObject::connect(certificate, &CertificatePage::templateFileRequested, certificate,

@@ -3,6 +3,8 @@
 
 #pragma once
 
+#include "ui/session/current_utc.h"
+
 #include <vector>
 
 namespace dyncal {
@@ -13,6 +15,7 @@ class Session;
 class StagePage;
 
 /// The pages in their order, without a parent; what they ask for is done by `files`.
-std::vector<StagePage *> stagePages(Session &session, Prompts &prompts, FileActions &files);
+std::vector<StagePage *> stagePages(
+    Session &session, const CurrentUtc &currentUtc, Prompts &prompts, FileActions &files);
 
 } // namespace dyncal

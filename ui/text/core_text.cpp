@@ -3,6 +3,7 @@
 
 #include "ui/text/core_text.h"
 
+#include "core/base/message_places.h"
 #include "ui/text/filled_words.h"
 #include "ui/text/quantity_format.h"
 #include "ui/text/recipe_labels.h"
@@ -38,11 +39,12 @@ std::vector<std::string> shownArguments(const Message &message)
 QString translated(const Message &message)
 {
     const QString text = withRecipeLabels(QCoreApplication::translate("core", message.text));
-    QString sentences
-        = QString::fromStdString(fillPlaces(text.toStdString(), shownArguments(message)));
-    for (const Message &sentence : message.below)
-        sentences += QLatin1Char('\n') + translated(sentence);
-    return sentences;
+    const auto shown = [](const Message &sentence) { return translated(sentence).toStdString(); };
+    return QString::fromStdString(withSentences(
+        message, std::string("\n"), shown, [&](const std::vector<std::string> &within) {
+            return fillPlaces(
+                text.toStdString(), shownArguments(message), ArgumentText::Brief, within);
+        }));
 }
 
 QString printed(const Message &message)

@@ -3,6 +3,7 @@
 
 #include "ui/text/filled_words.h"
 
+#include "core/base/message_places.h"
 #include "ui/text/quantity_format.h"
 
 #include <QRegularExpression>
@@ -85,11 +86,14 @@ bool isVerbatimPlace(const char *text, std::size_t argument)
 QString filledWords(const Message &message,
     const std::function<QString(const char *text)> &translate, QChar decimalMark)
 {
-    QString sentences = QString::fromStdString(fillPlaces(translate(message.text).toStdString(),
-        markedArguments(message, decimalMark), ArgumentText::Full));
-    for (const Message &sentence : message.below)
-        sentences += QLatin1Char('\n') + filledWords(sentence, translate, decimalMark);
-    return sentences;
+    const auto shown = [&](const Message &sentence) {
+        return filledWords(sentence, translate, decimalMark).toStdString();
+    };
+    return QString::fromStdString(withSentences(
+        message, std::string("\n"), shown, [&](const std::vector<std::string> &within) {
+            return fillPlaces(translate(message.text).toStdString(),
+                markedArguments(message, decimalMark), ArgumentText::Full, within);
+        }));
 }
 
 } // namespace dyncal

@@ -3,6 +3,7 @@
 
 #include "ui/text/finding_group.h"
 
+#include "core/base/message_places.h"
 #include "ui/text/core_text.h"
 #include "ui/text/finding_text.h"
 
@@ -29,8 +30,9 @@ bool saySame(const Finding &a, const Finding &b)
 {
     return a.id == b.id && a.severity == b.severity
         && std::string_view(a.message.text) == b.message.text
-        && a.message.arguments.size() == b.message.arguments.size() && a.message.below.empty()
-        && b.message.below.empty() && !a.id.empty();
+        && a.message.arguments.size() == b.message.arguments.size()
+        && a.message.below.size() == countWithin(a.message)
+        && b.message.below.size() == a.message.below.size() && !a.id.empty();
 }
 
 /// What stands in one place of the sentence, of all findings of a group.
@@ -49,11 +51,30 @@ std::string valuesAt(const FindingGroup &group, std::size_t place)
     return text;
 }
 
+/// The same for a sentence within the sentence.
+Message sentencesAt(const FindingGroup &group, std::size_t place)
+{
+    std::vector<Message> sentences;
+    for (const Finding &finding : group)
+        if (const Message &one = finding.message.below[place];
+            std::ranges::find(sentences, one) == sentences.end())
+            sentences.push_back(one);
+    if (sentences.size() > kMostValues)
+        return {"%M1 / … / %M2", {}, {sentences.front(), sentences.back()}};
+    Message common = sentences.front();
+    for (std::size_t i = 1; i < sentences.size(); ++i)
+        common = {"%M1 / %M2", {}, {common, sentences[i]}};
+    return common;
+}
+
 Message commonMessage(const FindingGroup &group)
 {
-    Message common{group.front().message.text, {}};
-    for (std::size_t place = 0; place < group.front().message.arguments.size(); ++place)
+    const Message &first = group.front().message;
+    Message common{first.text, {}};
+    for (std::size_t place = 0; place < first.arguments.size(); ++place)
         common.arguments.push_back(valuesAt(group, place));
+    for (std::size_t place = 0; place < first.below.size(); ++place)
+        common.below.push_back(sentencesAt(group, place));
     return common;
 }
 

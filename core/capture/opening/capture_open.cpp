@@ -33,7 +33,7 @@ Finding skippedFile(const Error &error)
     return {.id = "CAP-024",
         .severity = foreign ? Severity::Info : Severity::Caution,
         .message
-        = {DYNCAL_TEXT("core", "A file of the folder was left out. %1"), {english(error.message)}}};
+        = {DYNCAL_TEXT("core", "A file of the folder was left out. %M1"), {}, {error.message}}};
 }
 
 /// Joins files as they come and collects what went wrong with any of them.

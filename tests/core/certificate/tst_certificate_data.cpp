@@ -113,6 +113,7 @@ private slots:
     void frequency_withoutMeasuredValues_hasDashes();
     void frequency_ofFewDegreesOfFreedom_hasItsOwnK();
     void frequency_behindAFront_isSaid();
+    void frequency_outsideTheScope_isMarked();
     void order_typed_isSaid();
     void tables_everyRow_hasAllCells();
     void text_never_containsNan();
@@ -362,6 +363,24 @@ void TestCertificateData::frequency_behindAFront_isSaid()
                    "rises over 400 ns at the sensor, standard uncertainty 20 ns")
                 != std::string::npos;
     QVERIFY(isSaid);
+}
+
+void TestCertificateData::frequency_outsideTheScope_isMarked()
+{
+    const CalibrationResults results = dyncal::example::calibration();
+    Recipe recipe = typedRecipe();
+    const auto firstCell
+        = [&] { return cell(*table(certificateOf(results, recipe), "frequency-response"), 0, 0); };
+    const auto notes = [&] {
+        return certificateOf(results, recipe).section("frequency-response")->notes.size();
+    };
+    const QString plain = firstCell();
+    const std::size_t before = notes();
+    recipe.uncertainty.cmc = {{"magnitude", 1e-6, true}};
+    QCOMPARE(firstCell(), plain); // accredited everywhere
+    recipe.uncertainty.cmc.front().from_Hz = 1e9;
+    QCOMPARE(firstCell(), plain + " *");
+    QCOMPARE(notes(), before + 1);
 }
 
 void TestCertificateData::order_typed_isSaid()

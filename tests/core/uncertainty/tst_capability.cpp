@@ -109,6 +109,45 @@ private slots:
         QCOMPARE(leastExpanded(absolute, "f0_hz", 1e6), 5.0);
     }
 
+    void scope_isWhereSomeEntryOfRowsHolds()
+    {
+        const std::vector<CapabilityEntry> band{
+            relative("magnitude", 0.1, 1e3, 1e4), relative("magnitude", 0.2, 2e4)};
+        for (const double f_Hz : {1e3, 1e4, 2e4, 1e9})
+            QVERIFY(!isOutsideScope(band, f_Hz));
+        for (const double f_Hz : {999.0, 1.5e4})
+            QVERIFY(isOutsideScope(band, f_Hz));
+        QVERIFY(!isOutsideScope({}, 1e3)); // who states no range is held to none
+        QVERIFY(!isOutsideScope({relative("sensitivity", 0.1), {"phase_rad", 0.1, true, 1e3}}, 1.0));
+    }
+
+    void valuesOutsideTheScope_areACaution()
+    {
+        const auto findingsWith = [&](const std::vector<CapabilityEntry> &cmc) {
+            UncertaintyReport report = *m_results.uncertainty;
+            report.findings.clear();
+            holdToCapability(cmc, *m_results.response, report);
+            return report.findings;
+        };
+        QVERIFY(findingsWith({relative("magnitude", 0.1)}).empty());
+        QVERIFY(findingsWith({relative("sensitivity", 0.1)}).empty());
+        const Findings found = findingsWith({relative("magnitude", 0.1, 0.0, 1e4)});
+        QCOMPARE(found.size(), std::size_t(1));
+        QCOMPARE(found.front().id, std::string("CER-007"));
+        QVERIFY(found.front().severity == Severity::Caution);
+        Index above = 0; // counted here, apart from the program
+        const ResponseResult &response = *m_results.response;
+        for (Index i = 0; i < response.frequency_Hz.size(); ++i)
+            above += response.frequency_Hz[i] > 1e4 && std::isfinite(response.magnitude[i])
+                && std::isfinite(m_results.uncertainty->rows.u_magnitude[i]);
+        const ResponseResult &marked = *response.atMarks;
+        for (Index i = 0; i < marked.frequency_Hz.size(); ++i)
+            above += marked.frequency_Hz[i] > 1e4 && std::isfinite(marked.magnitude[i])
+                && std::isfinite(m_results.uncertainty->rowsAtMarks.u_magnitude[i]);
+        QVERIFY(above > 3);
+        QCOMPARE(found.front().message.arguments.front(), std::to_string(above));
+    }
+
     void nothingOfACalibration_isBelow()
     {
         Index held = 0;

@@ -40,7 +40,8 @@ CertificateSection section()
 {
     CertificateSection section;
     section.title = plain("Results");
-    section.paragraphs = {{"Of %1 shots.", {"3"}, {plain("A line below.")}}};
+    section.paragraphs
+        = {{"Of %1 shots, %M1.", {"3"}, {plain("as was said"), plain("A line below.")}}};
     section.fields = {{"natural_frequency", plain("Frequency"), {"%1 Hz", {"1.5e4"}}}};
     section.tables = {{"shots", plain("Shots"), {{plain("Shot")}, {plain("Step"), true}},
         {{plain("1"), {"%1 Pa", {"2e5"}}}, {plain("2"), {"%1 Pa", {"4e5"}}}}}};

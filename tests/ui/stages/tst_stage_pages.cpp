@@ -3,7 +3,7 @@
 
 #include "tests/support/test_program.h"
 #include "tests/ui/support/page_bench.h"
-#include "ui/stages/certificate_page.h"
+#include "ui/stages/certificate/certificate_page.h"
 #include "ui/stages/components_page.h"
 #include "ui/stages/frame/quantity_edit.h"
 #include "ui/stages/frame/value_table.h"
@@ -218,7 +218,7 @@ void TestStagePages::shock_states_areListedPerShot()
 
 void TestStagePages::certificate_fields_areOneStepEach()
 {
-    PageBench<CertificatePage> bench;
+    PageBench<test::DatedPage<CertificatePage>> bench;
     bench.type("field_customer", "Testbolaget AB");
     bench.type("field_sensor_serial", "4711");
     bench.control<QPlainTextEdit>("field_remarks")->setPlainText("one");
@@ -236,7 +236,7 @@ void TestStagePages::certificate_fields_areOneStepEach()
 
 void TestStagePages::certificate_missing_isListed()
 {
-    PageBench<CertificatePage> bench;
+    PageBench<test::DatedPage<CertificatePage>> bench;
     auto *missing = bench.control<QLabel>("missingFields");
     QVERIFY(missing->text().contains("Address of the customer"));
     bench.type("field_customer_address", "Storgatan 1");

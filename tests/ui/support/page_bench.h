@@ -55,6 +55,17 @@ public:
     }
 };
 
+/// A page that states when something was made has the same moment in every test.
+template <typename Page>
+class DatedPage : public Page
+{
+public:
+    explicit DatedPage(Session &session)
+        : Page(session, [] { return Result<std::string>("2026-05-04T12:00:00Z"); })
+    {
+    }
+};
+
 /// One page, its inspector beside it, as a hand and an eye have it: controls by their names.
 template <typename Page>
 struct PageBench

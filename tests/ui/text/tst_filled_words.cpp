@@ -55,6 +55,7 @@ private slots:
     void foreign_staysAsItIs();
     void sentence_hasTheMark_inWhatIsWhollyNumbers();
     void window_leavesForeignPlaces();
+    void sentenceWithin_isTranslatedAndMarked();
     void locale_isThatOfTheLanguage();
 };
 
@@ -160,6 +161,24 @@ void TestFilledWords::locale_isThatOfTheLanguage()
         QCOMPARE(numberLocale(code).decimalPoint(), QString(","));
         QCOMPARE(numberLocale(code).toString(123456.5, 'f', 1), QString("123456,5"));
     }
+}
+
+void TestFilledWords::sentenceWithin_isTranslatedAndMarked()
+{
+    const Message reason{"Shot %1 has %2.", {"2", "1.5 kHz"}};
+    const Message whole{"Not known (%M1); see %1.", {"%M1"}, {reason}};
+    QCOMPARE(english(whole), std::string("Not known (Shot 2 has 1.5 kHz.); see %M1."));
+    QCOMPARE(inCommas(whole), QString("Not known (Shot 2 has 1,5 kHz.); see %M1."));
+    QCOMPARE(filledWords(
+                 whole,
+                 [](const char *text) {
+                     return QString::fromUtf8(text).replace("has", "har").replace("Not", "Ej");
+                 },
+                 ','),
+        QString("Ej known (Shot 2 har 1,5 kHz.); see %M1."));
+    QCOMPARE(english({"%M2 and %M1", {}, {reason}}), // a place without a sentence stays
+        std::string("%M2 and Shot 2 has 1.5 kHz."));
+    QVERIFY(!(whole == Message{whole.text, whole.arguments}));
 }
 
 DYNCAL_TEST(TestFilledWords)

@@ -36,6 +36,7 @@ private slots:
     void line_ofOne_isTheFindingsOwn();
     void line_ofManyShots_isShort();
     void line_withoutShots_saysHowOften();
+    void line_joinsSentencesWithin();
     void unknownIds_areNeverJoined();
     void shots_data();
     void shots();
@@ -112,6 +113,25 @@ void TestFindingGroup::shots()
     for (const int number : numbers)
         shots.push_back(number);
     QCOMPARE(shotList(shots), text);
+}
+
+void TestFindingGroup::line_joinsSentencesWithin()
+{
+    const auto leftOut = [](const char *file) {
+        return Finding{.id = "CAP-024",
+            .severity = Severity::Info,
+            .message = {"A file was left out. %M1", {}, {Message{"%1 is empty.", {file}}}}};
+    };
+    const auto line = [&](std::vector<const char *> files) {
+        FindingGroup group;
+        for (const char *file : files)
+            group.push_back(leftOut(file));
+        return groupLine(group);
+    };
+    QVERIFY(line({"a"}).endsWith("A file was left out. a is empty."));
+    QVERIFY(line({"a", "b", "b"}).endsWith("A file was left out. a is empty. / b is empty."));
+    QVERIFY(line({"a", "b", "c", "d"}).endsWith("left out. a is empty. / … / d is empty."));
+    QCOMPARE(grouped({leftOut("a"), leftOut("b")}).size(), std::size_t(1));
 }
 
 DYNCAL_TEST(TestFindingGroup)

@@ -3,79 +3,56 @@
 
 #include "ui/shell/files/export_job.h"
 
-#include "core/base/free_memory.h"
 #include "core/results/publication.h"
 
 namespace dyncal {
 
 namespace {
 
-/// Length of one drawing step: too short to be noticed at the mouse.
-constexpr std::chrono::milliseconds kDrawingTime{15};
 /// Share of drawing in the whole progress.
 constexpr double kDrawingShare = 0.7;
-/// Memory that drawing takes at most; checked first, because Qt would end the program where it gets
-/// none.
-constexpr std::size_t kDrawingBytes = std::size_t(96) << 20U;
-
-Error notEnoughMemory()
-{
-    return {ErrorKind::Internal,
-        {DYNCAL_TEXT("core",
-             "There is not enough memory to draw the certificate and the plots, and nothing was written; close other programs or raise the memory limit."),
-            {}},
-        {}, 0};
-}
 
 } // namespace
 
 ExportJob::ExportJob(QObject *parent)
     : QObject(parent)
+    , m_drawing(this)
     , m_jobs(this)
 {
-    m_tick.setInterval(0);
-    connect(&m_tick, &QTimer::timeout, this, &ExportJob::drawSome);
+    connect(&m_drawing, &DrawingSteps::progress, this,
+        [this](double fraction) { emit progress(kDrawingShare * fraction); });
+    connect(&m_drawing, &DrawingSteps::drawn, this, &ExportJob::write);
+    connect(&m_drawing, &DrawingSteps::failed, this, &ExportJob::giveUp);
 }
 
 void ExportJob::start(RunFiles run, ReportParts parts, Write write)
 {
     cancel();
-    if (!isMemoryLeft(kDrawingBytes)) {
-        emit failed(notEnoughMemory());
+    if (const Result<void> memory = DrawingSteps::checkMemory(); !memory) {
+        emit failed(memory.error());
         return;
     }
     m_run = std::move(run);
     m_write = std::move(write);
-    m_drawing = std::make_unique<ReportDrawing>(
-        m_run.outcome.results, m_run.recipe, m_run.createdUtc, parts, m_run.chosen);
-    m_tick.start();
+    if (!mayPublish(m_run.outcome)) {
+        this->write({});
+        return;
+    }
+    m_drawing.start(std::make_unique<ReportDrawing>(
+        m_run.outcome.results, m_run.recipe, m_run.createdUtc, parts, m_run.chosen));
 }
 
 void ExportJob::cancel()
 {
-    m_tick.stop();
-    m_drawing.reset();
+    m_drawing.cancel();
     m_write = {}; // also releases the claim on the folder
     m_jobs.cancel();
 }
 
-void ExportJob::drawSome()
+void ExportJob::giveUp(const Error &error)
 {
-    const bool isDrawn = mayPublish(m_run.outcome);
-    if (isDrawn)
-        m_drawing->draw(kDrawingTime);
-    emit progress(kDrawingShare * m_drawing->fraction());
-    if (isDrawn && !m_drawing->isDone())
-        return;
-    m_tick.stop();
-    Result<std::vector<DrawnFile>> drawn = m_drawing->take();
-    m_drawing.reset();
-    if (drawn) {
-        write(std::move(*drawn));
-        return;
-    }
     m_write = {};
-    emit failed(drawn.error());
+    emit failed(error);
 }
 
 void ExportJob::write(std::vector<DrawnFile> drawn)

@@ -3,10 +3,8 @@
 
 #pragma once
 
-#include "ui/report/report_drawing.h"
+#include "ui/report/drawing_steps.h"
 #include "ui/session/job_runner.h"
-
-#include <QTimer>
 
 namespace dyncal {
 
@@ -25,7 +23,7 @@ public:
 
     void start(RunFiles run, ReportParts parts, Write write);
     void cancel();
-    bool isRunning() const { return m_drawing || m_jobs.isRunning(); }
+    bool isRunning() const { return m_drawing.isRunning() || m_jobs.isRunning(); }
 
 signals:
     void progress(double fraction);
@@ -33,13 +31,12 @@ signals:
     void failed(const dyncal::Error &error);
 
 private:
-    void drawSome();
     void write(std::vector<DrawnFile> drawn);
+    void giveUp(const Error &error);
 
     RunFiles m_run;
     Write m_write;
-    std::unique_ptr<ReportDrawing> m_drawing;
-    QTimer m_tick;
+    DrawingSteps m_drawing;
     JobRunner m_jobs;
 };
 

@@ -117,6 +117,7 @@ constexpr std::pair<std::string_view, FindingPlace> kPlaces[]{
     {"CER-004", {Page::Certificate, "exportCertificate"}},
     {"CER-005", {Page::Certificate, "field_approved_by"}},
     {"CER-006", {Page::Certificate, "exportCertificate"}},
+    {"CER-007", {Page::Uncertainty, "capabilityOf"}},
     {"CER-008", {Page::Uncertainty, "uncertaintyResult"}},
     {"CER-009", {Page::Uncertainty, "budgetTable"}},
     {"PRJ-001", {Captures, "shotTable"}},

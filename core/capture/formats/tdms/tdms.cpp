@@ -191,7 +191,7 @@ private:
         m_set.findings.push_back({.id = "CAP-026",
             .severity = severity,
             .message
-            = {DYNCAL_TEXT("core", "%1: a channel was left out. %2"), {m_path, english(reason)}}});
+            = {DYNCAL_TEXT("core", "%1: a channel was left out. %M1"), {m_path}, {reason}}});
     }
 
     Error nothingRead() const
@@ -200,8 +200,8 @@ private:
             return {ErrorKind::FileUnreadable, *m_contents.damage, "CAP-018", 0};
         if (m_lastReason)
             return {ErrorKind::FileUnreadable,
-                {DYNCAL_TEXT("core", "%1 has no channel that can be read. %2"),
-                    {m_path, english(*m_lastReason)}},
+                {DYNCAL_TEXT("core", "%1 has no channel that can be read. %M1"), {m_path},
+                    {*m_lastReason}},
                 "CAP-018", 0};
         return {ErrorKind::FileUnreadable,
             {DYNCAL_TEXT("core",
@@ -222,8 +222,8 @@ private:
         if (m_contents.damage)
             m_set.findings.push_back({.id = "CAP-018",
                 .severity = Severity::Caution,
-                .message = {DYNCAL_TEXT("core", "%1 What stands before was read."),
-                    {english(*m_contents.damage)}}});
+                .message = {DYNCAL_TEXT("core", "%M1 What stands before was read."), {},
+                    {*m_contents.damage}}});
         const auto cut = std::find_if(
             m_contents.objects.begin(), m_contents.objects.end(), [](const TdmsObject &object) {
                 return object.declared > static_cast<double>(object.count);

@@ -6,7 +6,7 @@
 #include "tests/ui/support/in_swedish.h"
 #include "tests/ui/support/page_bench.h"
 #include "ui/stages/captures_page.h"
-#include "ui/stages/certificate_page.h"
+#include "ui/stages/certificate/certificate_page.h"
 #include "ui/stages/components_page.h"
 #include "ui/stages/frame/optional_edit.h"
 #include "ui/stages/frame/prompts.h"
@@ -57,7 +57,7 @@ std::unique_ptr<StagePage> makePage(const QString &name, Session &session, Promp
     if (name == "order")
         return std::make_unique<OrderPage>(session);
     if (name == "certificate")
-        return std::make_unique<CertificatePage>(session);
+        return std::make_unique<test::DatedPage<CertificatePage>>(session);
     return std::make_unique<ShockPage>(session);
 }
 

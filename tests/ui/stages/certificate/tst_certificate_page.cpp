@@ -7,7 +7,7 @@
 #include "tests/support/test_program.h"
 #include "tests/ui/support/in_swedish.h"
 #include "tests/ui/support/page_bench.h"
-#include "ui/stages/certificate_page.h"
+#include "ui/stages/certificate/certificate_page.h"
 
 #include <QCalendarWidget>
 #include <QPlainTextEdit>
@@ -22,7 +22,7 @@ using test::waitComputed;
 
 namespace {
 
-using Bench = PageBench<CertificatePage>;
+using Bench = PageBench<test::DatedPage<CertificatePage>>;
 
 std::string fieldOf(const Bench &bench, const std::string &key)
 {

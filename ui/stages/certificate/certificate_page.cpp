@@ -1,14 +1,17 @@
 // SPDX-FileCopyrightText: 2026 The Dyncal authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include "ui/stages/certificate_page.h"
+#include "ui/stages/certificate/certificate_page.h"
 
 #include "core/certificate/certificate.h"
 #include "core/certificate/certificate_data.h"
-#include "ui/stages/decision_panel.h"
+#include "ui/stages/certificate/decision_panel.h"
+#include "ui/stages/certificate/preview_panel.h"
+#include "ui/stages/certificate/template_panel.h"
 #include "ui/stages/frame/calendar_button.h"
+#include "ui/stages/frame/folding_splitter.h"
+#include "ui/stages/frame/inspector_scroll.h"
 #include "ui/stages/frame/status_text.h"
-#include "ui/stages/template_panel.h"
 #include "ui/text/core_text.h"
 #include "ui/text/finding_text.h"
 #include "ui/text/shown_text.h"
@@ -18,7 +21,6 @@
 #include <QLineEdit>
 #include <QPlainTextEdit>
 #include <QPushButton>
-#include <QScrollArea>
 #include <QSignalBlocker>
 
 #include <array>
@@ -79,17 +81,24 @@ const CertificateField *fieldOf(const CertificateData &data, std::string_view ke
 
 } // namespace
 
-CertificatePage::CertificatePage(Session &session)
+CertificatePage::CertificatePage(Session &session, CurrentUtc currentUtc)
     : StagePage(session,
         {"certificatePage", tr("Certificate"),
             tr("Fill in what is not measured, then export the certificate.")},
         Page::Certificate)
 {
-    buildForm();
+    auto *split = new FoldingSplitter(this);
+    split->addWidget(builtForm());
+    m_preview = new PreviewPanel(session, std::move(currentUtc), split);
+    split->addWidget(m_preview);
+    split->setStretchFactor(0, 2);
+    split->setStretchFactor(1, 3);
+    split->setChildrenCollapsible(false);
+    content()->addWidget(split);
     buildInspector();
 }
 
-void CertificatePage::buildForm()
+QWidget *CertificatePage::builtForm()
 {
     auto *page = new QWidget;
     auto *column = new QVBoxLayout(page);
@@ -129,11 +138,7 @@ void CertificatePage::buildForm()
             isDate(field.key) ? withNote(field.key, m_edits.back().second) : edit);
     }
     column->addStretch(1);
-    auto *scroll = new QScrollArea(this);
-    scroll->setWidget(page);
-    scroll->setWidgetResizable(true);
-    scroll->setFrameShape(QFrame::NoFrame);
-    content()->addWidget(scroll);
+    return new InspectorScroll(page);
 }
 
 /// A date with a calendar beside it, and room below it for what is wrong with it.
@@ -211,6 +216,7 @@ void CertificatePage::showRecipe()
     if (m_remarks->toPlainText() != field(kRemarks))
         m_remarks->setPlainText(field(kRemarks));
     showMissing();
+    m_preview->follow();
 }
 
 /// The list that the document itself prints in red.
@@ -237,6 +243,7 @@ void CertificatePage::showMissing()
 void CertificatePage::showResults()
 {
     showMissing();
+    m_preview->follow();
     m_decision->showOutcome();
     int cautions = 0;
     int blocks = 0;

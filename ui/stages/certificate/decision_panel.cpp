@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Dyncal authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include "ui/stages/decision_panel.h"
+#include "ui/stages/certificate/decision_panel.h"
 
 #include "core/certificate/certificate_conformity.h"
 #include "ui/stages/frame/checked_change.h"

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Dyncal authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include "ui/stages/template_panel.h"
+#include "ui/stages/certificate/template_panel.h"
 
 #include "core/project/document_languages.h"
 #include "ui/report/report_logo.h"

@@ -3,6 +3,7 @@
 
 #pragma once
 
+#include "ui/session/current_utc.h"
 #include "ui/stages/frame/stage_page.h"
 
 class QLineEdit;
@@ -11,15 +12,17 @@ class QPlainTextEdit;
 namespace dyncal {
 
 class DecisionPanel;
+class PreviewPanel;
 class TemplatePanel;
 
-/// Stage 12: what the certificate says beside the results, and its export.
+/// Stage 12: what the certificate says beside the results, the document itself, and its export.
 class CertificatePage : public StagePage
 {
     Q_OBJECT
 
 public:
-    explicit CertificatePage(Session &session);
+    /// `currentUtc`: for the preview, which states when it was made as an export does.
+    CertificatePage(Session &session, CurrentUtc currentUtc);
 
     /// The file of a template that the operator chose.
     void takeTemplate(const QString &path);
@@ -33,7 +36,7 @@ protected:
     void showResults() override;
 
 private:
-    void buildForm();
+    QWidget *builtForm();
     void buildInspector();
     void setField(const std::string &key, const QString &text, const QString &mergeKey);
     QString field(const std::string &key) const;
@@ -46,6 +49,7 @@ private:
         m_notes; ///< beside dates: what is wrong with them
     QPlainTextEdit *m_remarks;
     TemplatePanel *m_template;
+    PreviewPanel *m_preview;
     DecisionPanel *m_decision;
     QLabel *m_missing;
     QLabel *m_cautions;

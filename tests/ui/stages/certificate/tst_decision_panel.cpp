@@ -7,14 +7,14 @@
 #include "tests/support/simulated_example.h"
 #include "tests/support/test_program.h"
 #include "tests/ui/support/page_bench.h"
-#include "ui/stages/certificate_page.h"
+#include "ui/stages/certificate/certificate_page.h"
 #include "ui/stages/frame/refusal_note.h"
 
 #include <QLabel>
 #include <QtTest>
 
 using namespace dyncal;
-using Bench = test::PageBench<CertificatePage>;
+using Bench = test::PageBench<test::DatedPage<CertificatePage>>;
 
 class TestDecisionPanel : public QObject
 {
