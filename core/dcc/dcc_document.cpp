@@ -7,6 +7,7 @@
 #include "core/dcc/dcc_administration.h"
 #include "core/dcc/dcc_budget.h"
 #include "core/dcc/dcc_exact.h"
+#include "core/dcc/dcc_fields.h"
 #include "core/dcc/dcc_measurement.h"
 #include "core/dcc/dcc_ref_types.h"
 #include "core/dcc/dcc_sections.h"
@@ -42,6 +43,23 @@ bool isResult(const CertificateSection &section)
     return section.id != "conditions" || !section.tables.empty() || !section.notes.empty();
 }
 
+bool hasId(const XmlElement &element)
+{
+    return std::ranges::any_of(element.attributes, [](const auto &attribute) {
+        return attribute == std::pair<std::string, std::string>("id", kDccResponse);
+    }) || std::ranges::any_of(element.children, hasId);
+}
+
+/// The printed frequency response refers to the one that is not rounded.
+void refer(XmlElement &element)
+{
+    const bool isPrinted = element.name == "dcc:list" && !element.attributes.empty()
+        && element.attributes.front().second == refTypeOf("frequency-response");
+    if (isPrinted)
+        element.attributes.emplace_back("refId", kDccResponse);
+    std::ranges::for_each(element.children, refer);
+}
+
 XmlElement results(const DccSource &source)
 {
     XmlElement list{"dcc:results"};
@@ -50,7 +68,10 @@ XmlElement results(const DccSource &source)
             list.add(section.id == "key-results" ? dccKeyResults(source.words, section)
                     : section.id == "conditions" ? dccResultOf(source.words, withoutFields(section))
                                                  : dccResultOf(source.words, section));
-    for (XmlElement &result : dccExactResults(source))
+    std::vector<XmlElement> exact = dccExactResults(source);
+    if (std::ranges::any_of(exact, hasId))
+        refer(list);
+    for (XmlElement &result : exact)
         list.add(std::move(result));
     for (XmlElement &result : dccBudgets(source))
         list.add(std::move(result));

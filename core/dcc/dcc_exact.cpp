@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string_view>
 #include <utility>
 
 namespace dyncal {
@@ -208,7 +209,10 @@ void addResponse(const DccSource &source, const char *refType, const Message &na
         result.add(source.words.element("dcc:description",
             {Message{DYNCAL_TEXT("core", "Of %1 rows %2 are withheld and have no value (NaN)."),
                 {std::to_string(response->frequency_Hz.size()), std::to_string(withheld)}}}));
-    result.add({"dcc:data", {}, {}, {responseList(source, *response, rows, *unit)}});
+    XmlElement list = responseList(source, *response, rows, *unit);
+    if (std::string_view(refType) == "dyncal_complexResponse")
+        list.attributes.emplace_back("id", kDccResponse);
+    result.add({"dcc:data", {}, {}, {std::move(list)}});
     results.push_back(std::move(result));
 }
 

@@ -4,6 +4,7 @@
 #include "core/dcc/dcc_schema.h"
 
 #include <libxml/parser.h>
+#include <libxml/parserInternals.h>
 #include <libxml/xmlschemas.h>
 
 #include <algorithm>
