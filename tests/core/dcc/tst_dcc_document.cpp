@@ -8,6 +8,7 @@
 #include "core/dcc/dcc_fields.h"
 #include "core/dcc/dcc_ref_types.h"
 #include "core/dcc/dcc_tree.h"
+#include "core/dcc/printed_value.h"
 #include "tests/core/dcc/example_dcc.h"
 #include "tests/support/test_program.h"
 
