@@ -14,7 +14,7 @@ set(rooms_of_core base base/writing capture
     signal shock reference decomposition
     realization/exponentials realization/input realization/hankel realization/refinement
     realization/nuisance realization/second_order realization/model realization/order
-    model_analysis consistency uncertainty monte_carlo project pipeline certificate results issue batch correction
+    model_analysis consistency uncertainty monte_carlo project pipeline certificate results dcc issue batch correction
     recheck history synthesis selftest)
 set(rooms_of_registry trail store cards certificates issued)
 set(rooms_of_ui text session plot/values plot/curves plot/qcp plot/widget report

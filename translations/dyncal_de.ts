@@ -3980,5 +3980,133 @@
         <source>%1 values of S(f), from %2 to %3, lie outside the frequencies that the laboratory states a capability (CMC) for; the certificate marks them as outside the scope.</source>
         <translation>%1 Werte von S(f), von %2 bis %3, liegen außerhalb der Frequenzen, für die das Laboratorium eine Messfähigkeit (CMC) angibt; der Kalibrierschein kennzeichnet sie als außerhalb des Geltungsbereichs.</translation>
     </message>
+    <message>
+        <source>Pressure sensor</source>
+        <translation>Druckaufnehmer</translation>
+    </message>
+    <message>
+        <source>Source</source>
+        <translation>Quelle</translation>
+    </message>
+    <message>
+        <source>Shot, 0 where it is of all</source>
+        <translation>Schuss, 0 wo es alle betrifft</translation>
+    </message>
+    <message>
+        <source>Standard uncertainty</source>
+        <translation>Standardmessunsicherheit</translation>
+    </message>
+    <message>
+        <source>Contribution</source>
+        <translation>Beitrag</translation>
+    </message>
+    <message>
+        <source>Share of the variance</source>
+        <translation>Anteil an der Varianz</translation>
+    </message>
+    <message>
+        <source>Degrees of freedom</source>
+        <translation>Freiheitsgrade</translation>
+    </message>
+    <message>
+        <source>Distribution</source>
+        <translation>Verteilung</translation>
+    </message>
+    <message>
+        <source>Key in results.json</source>
+        <translation>Schlüssel in results.json</translation>
+    </message>
+    <message>
+        <source>Both propagations agree: 1, or 0</source>
+        <translation>Beide Fortpflanzungen stimmen überein: 1, sonst 0</translation>
+    </message>
+    <message>
+        <source>Values by Monte Carlo, with their intervals</source>
+        <translation>Werte nach Monte Carlo, mit ihren Intervallen</translation>
+    </message>
+    <message>
+        <source>Budget of the uncertainty</source>
+        <translation>Messunsicherheitsbudget</translation>
+    </message>
+    <message>
+        <source>Effective degrees of freedom</source>
+        <translation>Effektive Freiheitsgrade</translation>
+    </message>
+    <message>
+        <source>Reported values, not rounded</source>
+        <translation>Angegebene Werte, nicht gerundet</translation>
+    </message>
+    <message>
+        <source>Complex response</source>
+        <translation>Komplexer Frequenzgang</translation>
+    </message>
+    <message>
+        <source>Of %1 rows %2 are withheld and have no value (NaN).</source>
+        <translation>Von %1 Zeilen werden %2 zurückgehalten und haben keinen Wert (NaN).</translation>
+    </message>
+    <message>
+        <source>Frequency response as complex numbers, not rounded</source>
+        <translation>Frequenzgang als komplexe Zahlen, nicht gerundet</translation>
+    </message>
+    <message>
+        <source>The same at the limits of the band, its edges and the resonance</source>
+        <translation>Dasselbe an den Grenzen des Bandes, seinen Kanten und der Resonanz</translation>
+    </message>
+    <message>
+        <source>Frequency response against the reference transducer, not rounded</source>
+        <translation>Frequenzgang gegen den Referenzaufnehmer, nicht gerundet</translation>
+    </message>
+    <message>
+        <source>Evaluation of the uncertainty</source>
+        <translation>Ermittlung der Messunsicherheit</translation>
+    </message>
+    <message>
+        <source>Versions of the methods, stage by stage</source>
+        <translation>Versionen der Verfahren, Schritt für Schritt</translation>
+    </message>
+    <message>
+        <source>Stage</source>
+        <translation>Schritt</translation>
+    </message>
+    <message>
+        <source>Version</source>
+        <translation>Version</translation>
+    </message>
+    <message>
+        <source>Calibration certificate</source>
+        <translation>Kalibrierschein</translation>
+    </message>
+    <message>
+        <source>Least</source>
+        <translation>Kleinster Wert</translation>
+    </message>
+    <message>
+        <source>Largest</source>
+        <translation>Größter Wert</translation>
+    </message>
+    <message>
+        <source>This is a draft and no certificate: it has no number, and what it says may change.</source>
+        <translation>Dies ist ein Entwurf und kein Kalibrierschein: Er hat keine Nummer, und sein Inhalt kann sich ändern.</translation>
+    </message>
+    <message>
+        <source>Not stated yet; what stands in its place says nothing:</source>
+        <translation>Noch nicht angegeben; was an seiner Stelle steht, besagt nichts:</translation>
+    </message>
+    <message>
+        <source>No interval until the next calibration is recommended.</source>
+        <translation>Ein Intervall bis zur nächsten Kalibrierung wird nicht empfohlen.</translation>
+    </message>
+    <message>
+        <source>Largest deviation allowed</source>
+        <translation>Größte zulässige Abweichung</translation>
+    </message>
+    <message>
+        <source>Deviation</source>
+        <translation>Abweichung</translation>
+    </message>
+    <message>
+        <source>Probability of lying beyond the limit</source>
+        <translation>Wahrscheinlichkeit, außerhalb der Grenze zu liegen</translation>
+    </message>
 </context>
 </TS>

@@ -24,9 +24,9 @@
 namespace dyncal {
 namespace {
 
-constexpr std::array<std::string_view, 16> kVerbs{"simulate", "info", "import", "check", "run",
-    "batch", "compare", "export", "correct", "recheck", "history", "issue", "withdraw", "verify",
-    "registry", "selftest"};
+constexpr std::array<std::string_view, 17> kVerbs{"simulate", "info", "import", "check", "run",
+    "batch", "compare", "export", "correct", "recheck", "history", "dcc", "issue", "withdraw",
+    "verify", "registry", "selftest"};
 /// Files open at once while a recording is read and results are written.
 constexpr int kFilesOfAVerb = 12;
 /// A word that differs by more letters than this is not taken for a misspelt subcommand.
@@ -70,6 +70,7 @@ int parseAndAct(int argc, char **argv)
     addCorrect(program, action);
     addRecheck(program, action);
     addHistory(program, action);
+    addDcc(program, action);
     addIssue(program, action);
     addWithdraw(program, action);
     addVerify(program, action);

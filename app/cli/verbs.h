@@ -23,6 +23,7 @@ void addCompare(CLI::App &program, VerbAction &action);
 void addExport(CLI::App &program, VerbAction &action);
 void addCorrect(CLI::App &program, VerbAction &action);
 void addRecheck(CLI::App &program, VerbAction &action);
+void addDcc(CLI::App &program, VerbAction &action);
 void addHistory(CLI::App &program, VerbAction &action);
 void addIssue(CLI::App &program, VerbAction &action);
 void addWithdraw(CLI::App &program, VerbAction &action);

@@ -4,7 +4,9 @@
 #include "ui/report/report_drawing.h"
 
 #include "core/certificate/certificate.h"
+#include "core/dcc/dcc_document.h"
 #include "ui/plot/widget/plot_export.h"
+#include "ui/report/certificate_dcc.h"
 #include "ui/report/certificate_pdf.h"
 #include "ui/report/report_figures.h"
 #include "ui/report/report_language.h"
@@ -44,6 +46,8 @@ CertificateData certificateOf(const CalibrationResults &results, const Recipe &r
 struct ReportDrawing::Private
 {
     CalibrationResults results; ///< the makers point into it
+    Recipe recipe;
+    std::optional<CertificateIssue> issue;
     CertificateData data;
     ReportLanguage language;
     std::vector<FigureMaker> makers;
@@ -54,9 +58,11 @@ struct ReportDrawing::Private
     std::size_t steps = 0;
     bool failed = false;
 
-    Private(const CalibrationResults &shown, const Recipe &recipe, const std::string &createdUtc,
-        const ChosenTemplate &chosen, const std::optional<CertificateIssue> &issue)
+    Private(const CalibrationResults &shown, const Recipe &asked, const std::string &createdUtc,
+        const ChosenTemplate &chosen, const std::optional<CertificateIssue> &issued)
         : results(shown)
+        , recipe(asked)
+        , issue(issued)
         , data(certificateOf(results, recipe, createdUtc, chosen, issue))
         , language(data.language)
         , makers(figureMakers(results))
@@ -101,6 +107,14 @@ struct ReportDrawing::Private
         const QByteArray pdf = certificate->take();
         failed = pdf.isEmpty();
         drawn.push_back({"certificate.pdf", pdf.toStdString()});
+    }
+
+    /// Behind the certificate that it belongs to.
+    void addDcc()
+    {
+        if (results.response && !drawn.empty())
+            drawn.insert(
+                drawn.begin() + 1, {kDccFile, certificateDcc(data, results, recipe, issue)});
     }
 
     void drawPlot(std::size_t index)
@@ -157,6 +171,7 @@ Result<std::vector<DrawnFile>> ReportDrawing::take()
             {DYNCAL_TEXT("core",
                  "The certificate and the plots cannot be drawn: the program found nothing to draw on; start it anew."),
                 {}});
+    d->addDcc();
     return std::move(d->drawn);
 }
 

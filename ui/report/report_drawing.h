@@ -18,7 +18,8 @@ namespace dyncal {
 
 enum class ReportParts { Certificate, CertificateAndPlots };
 
-/// Draws certificate.pdf and plots/NN-name.svg of one set of results in memory, in steps: drawing
+/// Draws certificate.pdf and plots/NN-name.svg of one set of results in memory, in steps, and makes
+/// the dcc.xml that says the same: drawing
 /// needs the thread of the window, which must stay free to answer. All texts are in the language of
 /// the recipe's certificate, whatever that of the window; `createdUtc` (ISO 8601 with Z) is printed
 /// and makes the bytes reproducible. A draft unless `issue` makes it a certificate; `chosen`
@@ -41,7 +42,8 @@ public:
     /// ten milliseconds at most.
     void draw(std::chrono::milliseconds budget);
 
-    /// What was drawn, the certificate first. Internal if drawing failed.
+    /// What was drawn, the certificate first, and the DCC behind it where there is a response.
+    /// Internal if drawing failed.
     Result<std::vector<DrawnFile>> take();
 
 private:

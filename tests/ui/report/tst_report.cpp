@@ -117,7 +117,7 @@ private slots:
     void write_noResults_stillGivesCertificate();
     void write_manyPolesAndFindings_repeatsTableHeads();
     void draw_inSteps_givesTheSameBytesAndTellsHowFar();
-    void draw_certificateOnly_givesTheSameCertificateAndNoPlot();
+    void draw_certificateOnly_givesTheSameCertificateItsDccAndNoPlot();
     void draw_betweenSteps_leavesLanguageAndNumbersOfTheWindow();
 
 private:
@@ -138,7 +138,7 @@ void TestReport::initTestCase()
 
 void TestReport::write_completeResults_givesCertificateAndPlots()
 {
-    QCOMPARE(m_files.size(), std::size_t(20));
+    QCOMPARE(m_files.size(), std::size_t(21));
     for (const std::string &file : m_files)
         QVERIFY2(
             bytesOf(m_folder.filePath(QString::fromStdString(file))).size() > 2000, file.c_str());
@@ -349,7 +349,7 @@ void TestReport::draw_inSteps_givesTheSameBytesAndTellsHowFar()
     }
 }
 
-void TestReport::draw_certificateOnly_givesTheSameCertificateAndNoPlot()
+void TestReport::draw_certificateOnly_givesTheSameCertificateItsDccAndNoPlot()
 {
     ReportDrawing drawing(
         dyncal::example::calibration(), exampleRecipe(), kCreated, ReportParts::Certificate);
@@ -357,8 +357,9 @@ void TestReport::draw_certificateOnly_givesTheSameCertificateAndNoPlot()
     QVERIFY(drawing.isDone());
     const Result<std::vector<DrawnFile>> drawn = drawing.take();
     QVERIFY(drawn.has_value());
-    QCOMPARE(drawn->size(), std::size_t(1));
+    QCOMPARE(drawn->size(), std::size_t(2));
     QVERIFY(QByteArray::fromStdString(drawn->front().bytes) == bytesOf(certificate()));
+    QCOMPARE(drawn->back().name, std::string("dcc.xml"));
 }
 
 void TestReport::draw_betweenSteps_leavesLanguageAndNumbersOfTheWindow()

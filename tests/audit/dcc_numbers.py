@@ -1,0 +1,219 @@
+#!/usr/bin/python3
+# SPDX-FileCopyrightText: 2026 The Dyncal authors
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Whether every number of a certificate stands in the DCC beside it, with U, k and unit.
+
+    tests/audit/dcc_numbers.py FOLDER [LANGUAGE]      FOLDER: of a run, or DIR/NUMBER; LANGUAGE: en, sv, de
+
+Reads certificate.pdf (pdftotext), results.json and dcc.xml (lxml) without any of Dyncal's code. Of the PDF: the
+key results and the rows of S(f) with value, U, k and unit digit by digit, and every other number before the figures as a
+word of the DCC. Of results.json: the reported values with u, k and dof, every row of S(f) with u, the contributions of
+their budgets and the intervals of Monte Carlo, within 1e-12. Exit code 1 where one is missing.
+"""
+import json
+import math
+import re
+import subprocess
+import sys
+from pathlib import Path
+
+from lxml import etree
+
+from printed_numbers import QUANTITIES, RESPONSE, ROW, SENSITIVITY, as_core_writes, words_of
+
+DCC, SI = "{https://ptb.de/dcc}", "{https://ptb.de/si}"
+PREFIX = {"": "", "G": "\\giga", "M": "\\mega", "k": "\\kilo", "m": "\\milli", "\u00b5": "\\micro", "\u03bc": "\\micro",
+          "n": "\\nano", "p": "\\pico"}
+UNIT = {"": "\\one", "Hz": "\\hertz", "s": "\\second", "V/Pa": "\\volt\\pascal\\tothe{-1}", "%": "\\percent", "V": "\\volt",
+        "A/Pa": "\\ampere\\pascal\\tothe{-1}", "1/Pa": "\\pascal\\tothe{-1}", "rad": "\\radian"}
+TOKEN = re.compile(r"(?<![\w.])-?\d+(?:\.\d+)?(?![\w]|\.\d)")
+
+
+def of_type(root, ref_type):
+    return [node for node in root.iter() if ref_type in node.get("refType", "").split()]
+
+
+def texts(node, name):
+    return [found.text or "" for found in node.iter(SI + name)]
+
+
+def numbers(node, name):
+    return [[float(word) for word in text.split()] for text in texts(node, name)]
+
+
+def same(a, b, tolerance=1e-12):
+    if a is None or (isinstance(a, float) and math.isnan(a)):
+        return math.isnan(b)
+    return abs(a - b) <= tolerance * max(abs(a), abs(b))
+
+
+def of_all(words, count):
+    return words * count if len(words) == 1 else words
+
+
+def table_of(quantity):
+    """(value, unit, U, k) row by row."""
+    values = texts(quantity, "valueXMLList")[0].split()
+    count = len(values)
+    units = of_all(texts(quantity, "unitXMLList")[0].split(), count)
+    expanded = (texts(quantity, "valueExpandedMUXMLList") or ["NaN"])[0].split()
+    factors = (texts(quantity, "coverageFactorXMLList") or ["NaN"])[0].split()
+    return list(zip(values, units, of_all(expanded, count), of_all(factors, count)))
+
+
+def check_key_results(text, root, labels, errors):
+    """Each row of the PDF as one dcc:quantity."""
+    stated = set()
+    for quantity in of_type(root, "basic_measurementResult")[0].iter(DCC + "quantity"):
+        if quantity.find(f"{SI}real") is not None:
+            stated.add(tuple(texts(quantity, name)[0] if texts(quantity, name) else ""
+                             for name in ("value", "unit", "valueExpandedMU", "coverageFactor")))
+    found = 0
+    for match in filter(None, (ROW.match(line.strip()) for line in text.splitlines())):
+        label, value, prefix, unit, u, u_prefix, u_unit, k = match.groups()
+        if label.strip() not in labels:
+            continue
+        found += 1
+        wanted = (value, PREFIX[prefix or ""] + UNIT[unit or ""], u, k)
+        if (prefix, unit) != (u_prefix, u_unit) or wanted not in stated:
+            errors.append(f"{label.strip()}: {wanted} is not in the DCC")
+    return found
+
+
+def check_rows(text, root, errors):
+    """Each row of S(f) of the PDF in the printed list."""
+    lists = [node for node in of_type(root, "dyncal_frequencyResponse") if node.tag == DCC + "list"]
+    if not lists:
+        return 0
+    columns = {name: table_of(of_type(lists[0], name)[0]) for name in ("dyncal_frequency", "dyncal_magnitude",
+                                                                      "dyncal_phase")}
+    rows = set(zip(*columns.values()))
+    found = 0
+    for match in filter(None, (RESPONSE.match(line.strip()) for line in text.splitlines())):
+        f, f_prefix, value, prefix, unit, u, _, _, phase, u_phase = match.groups()
+        found += 1
+        wanted = ((f, PREFIX[f_prefix] + "\\hertz"), (value, PREFIX[prefix or ""] + UNIT[unit or ""], u),
+                  (phase, "\\degree", u_phase))
+        if not any(row[0][:2] == wanted[0] and row[1][:3] == wanted[1] and row[2][:3] == wanted[2]
+                   and row[1][3] != "NaN" and row[2][3] != "NaN" for row in rows):
+            errors.append(f"{f} {f_prefix}Hz: {wanted} is not a row of the DCC")
+    return found
+
+
+def check_words(text, root, figures, errors):
+    """Every number before the figures is a number of the DCC, or a word of one of its texts."""
+    said = " ".join(" ".join(node.itertext()) for node in (root,))
+    words = set(TOKEN.findall(said)) | set(TOKEN.findall(said.replace("E", " E")))
+    found = 0
+    for line in text.split(figures)[0].splitlines():
+        if re.search(r"\b\d+ (of|av|von) \d+\b", line) and len(line.strip()) < 140 and "page" not in said:
+            line = re.sub(r"\b\d+ (of|av|von) \d+\s*$", "", line)
+        for token in TOKEN.findall(line):
+            found += 1
+            if token not in words:
+                errors.append(f"{token} ({line.strip()[:70]}) is not in the DCC")
+    return found
+
+
+def check_reported(results, root, errors):
+    lists = of_type(root, "dyncal_reportedValues")
+    if not lists:
+        return 0
+    names = [content.text for content in of_type(lists[0], "dyncal_reportedName")[0].find(DCC + "noQuantity")]
+    columns = [numbers(of_type(lists[0], name)[0], "valueXMLList")[0]
+               for name in ("dyncal_reportedValue", "dyncal_coverageFactor", "dyncal_degreesOfFreedom")]
+    standard = numbers(of_type(lists[0], "dyncal_reportedValue")[0], "valueStandardMUXMLList")[0]
+    there = dict(zip(names, zip(columns[0], standard, columns[1], columns[2])))
+    wanted = {row["quantity"]: row for row in results["characteristics"]}
+    if results.get("sensitivity"):
+        wanted["sensitivity"] = results["sensitivity"]
+        wanted |= {f"sensitivity.per_level[{i}]": row for i, row in enumerate(results["sensitivity"]["per_level"])}
+    found = 0
+    for name, row in wanted.items():
+        if row["value"] is None or row["u"] is None:
+            continue
+        found += 1
+        stated = [row["value"], row["u"], row["k"], row["dof"]]
+        if name not in there or not all(same(a, b) for a, b in zip(stated, there[name])):
+            errors.append(f"results.json {name}: {stated}, DCC {there.get(name)}")
+    return found
+
+
+def check_response(response, root, ref_type, errors):
+    """Rows of S(f), not rounded."""
+    lists = of_type(root, ref_type)
+    if not lists or not response or not response["magnitude"]:
+        return 0
+    columns = {"frequency_hz": numbers(of_type(lists[0], "dyncal_frequency")[0], "valueXMLList")[0]}
+    for name, key in (("dyncal_magnitude", "magnitude"), ("dyncal_phase", "phase_rad")):
+        quantity = of_type(lists[0], name)[0]
+        columns[key] = numbers(quantity, "valueXMLList")[0]
+        columns["u_" + key] = (numbers(quantity, "valueStandardMUXMLList") or [[math.nan] * len(columns[key])])[0]
+    real, imaginary = (numbers(lists[0], name)[0] for name in ("valueRealXMLList", "valueImagXMLList"))
+    variances = numbers(lists[0].find(f".//{SI}covarianceMatrixXMLList"), "valueXMLList")
+    for i, frequency in enumerate(response["frequency_hz"]):
+        for key, column in columns.items():
+            if not same(response[key][i], column[i]):
+                errors.append(f"results.json {key} at {frequency}: {response[key][i]}, DCC {column[i]}")
+        magnitude, u = response["magnitude"][i], response["u_magnitude"][i]
+        if magnitude is None:
+            continue
+        if not same(magnitude, math.hypot(real[i], imaginary[i])):
+            errors.append(f"complex value at {frequency}: {real[i]}, {imaginary[i]}")
+        x, y = real[i] / magnitude, imaginary[i] / magnitude
+        along = x * x * variances[0][i] + 2 * x * y * variances[1][i] + y * y * variances[3][i]
+        if u is not None and response["u_phase_rad"][i] is not None and along < u * u * (1 - 1e-9):
+            errors.append(f"region at {frequency}: {math.sqrt(along)} along the value, u {u}")
+    return len(response["frequency_hz"])
+
+
+def check_lists(results, root, errors):
+    """Contributions of the budgets, and intervals of Monte Carlo, as sets of numbers."""
+    contributions = {value for node in of_type(root, "dyncal_budgetContribution")
+                     for row in numbers(node, "valueXMLList") for value in row}
+    lines = [line for line in results["budget"] or [] if not line["of"].startswith(("response", "comparison", "model"))]
+    reported = {row["quantity"] for row in results["characteristics"] if row["u"] is not None}
+    for line in lines:
+        known = line["of"].startswith(("sensitivity", "shots")) or line["of"] in reported
+        if known and line["contribution"] is not None and line["contribution"] not in contributions:
+            errors.append(f"budget of {line['of']}: {line['quantity']} {line['contribution']} is not in the DCC")
+    ends = {value for name in ("intervalMinXMLList", "intervalMaxXMLList") for row in numbers(root, name) for value in row}
+    drawn = (results["monte_carlo"] or {}).get("quantities", [])
+    for row in drawn:
+        for key in ("low", "high"):
+            if row[key] is not None and row[key] not in ends:
+                errors.append(f"Monte Carlo, {row['of']}: {row[key]} is not in the DCC")
+    return len(lines) + len(drawn)
+
+
+def main():
+    if len(sys.argv) not in (2, 3):
+        sys.exit(__doc__)
+    folder = Path(sys.argv[1])
+    language = sys.argv[2] if len(sys.argv) == 3 else "en"
+    words = words_of(language)
+    results = json.loads((folder / "results.json").read_text())
+    source = as_core_writes((folder / "dcc.xml").read_text(), language) if language != "en" else None
+    root = etree.parse(str(folder / "dcc.xml")).getroot()
+    spoken = etree.fromstring(source.encode()) if source else root
+    text = subprocess.run(["pdftotext", "-layout", folder / "certificate.pdf", "-"], check=True, capture_output=True,
+                          text=True).stdout
+    text = as_core_writes(text, language)
+    labels = {words.get(label, label) for label in list(QUANTITIES) + [SENSITIVITY, SENSITIVITY + ", mean of the shots"]}
+    figures = re.compile(r"\n\s*(?:\d+ )?" + re.escape(words.get("Figures", "Figures")) + r"\s*\n")
+    before = figures.split(text)[0]
+    errors = []
+    counts = [check_key_results(text, root, labels, errors), check_rows(text, root, errors),
+              check_words(before, spoken, "\0", errors), check_reported(results, root, errors),
+              check_response(results["response"], root, "dyncal_complexResponse", errors),
+              check_response((results["response"] or {}).get("marked"), root, "dyncal_complexResponseAtMarks", errors),
+              check_lists(results, root, errors)]
+    print(f"{counts[0]} key results, {counts[1]} printed rows, {counts[2]} printed numbers, {counts[3]} reported values, "
+          f"{counts[4]} + {counts[5]} rows of S(f), {counts[6]} lines of budgets and Monte Carlo: {len(errors)} not found")
+    for error in errors:
+        print(error)
+    sys.exit(1 if errors else 0)
+
+
+if __name__ == "__main__":
+    main()
