@@ -90,18 +90,17 @@ Result<const ParsedElement *> neededChild(const ParsedElement &element, std::str
 
 Result<std::vector<double>> numbersIn(const ParsedElement &element)
 {
+    const bool isList = element.name.ends_with("XMLList");
     std::vector<double> numbers;
-    bool isAnyStated = false;
     for (const std::string_view word : wordsOf(element.text)) {
-        const bool isNone = word == kNoValue;
+        const bool isNone = isList && word == kNoValue;
         const std::optional<double> number = isNone ? std::optional(kUnknown) : parseNumber(word);
         if (!number || (!isNone && !std::isfinite(*number)))
             return noNumber(element, word);
-        isAnyStated = isAnyStated || !isNone;
         numbers.push_back(*number);
     }
-    if (!isAnyStated)
-        return noNumber(element, numbers.empty() ? "" : kNoValue);
+    if (numbers.empty())
+        return noNumber(element, "");
     return numbers;
 }
 

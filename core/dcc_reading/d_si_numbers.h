@@ -17,8 +17,9 @@ namespace dyncal {
 /// The only child of this name. Fails where there is none, or several.
 Result<const ParsedElement *> neededChild(const ParsedElement &element, std::string_view name);
 
-/// The numbers of the element's text, with "." as decimal mark; NaN, which is how the D-SI writes
-/// that there is no value. Fails on none at all, on NaN alone, and on what is no finite number.
+/// The numbers of the element's text, with "." as decimal mark; in an XML list NaN too, which is
+/// how the D-SI writes that there is no value. Fails on none at all and on what is no finite
+/// number.
 Result<std::vector<double>> numbersIn(const ParsedElement &element);
 
 /// The same, `count` of them: one stands for all. Fails where it is another number of them.

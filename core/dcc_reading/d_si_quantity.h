@@ -15,7 +15,7 @@ namespace dyncal {
 struct StatedValues
 {
     DSiUnit unit; ///< of the SI without prefix, factor 1
-    std::vector<double> values; ///< at least one that is stated; NaN: the D-SI's word for none
+    std::vector<double> values; ///< at least one; NaN: the D-SI's word for none
     std::vector<double> u; ///< k = 1, for each value, NaN without one; empty: none is stated
     /// Of the U that is stated; NaN where the certificate has the standard uncertainty or, of a
     /// complex value, the covariance. As many as u.
@@ -40,7 +40,8 @@ bool isDSiElement(const ParsedElement &element);
 /// Of a hybrid the first member counts whose unit is understood. Fails (Usage) with line and
 /// element on whatever is not understood: unknown or mixed units, lists that differ in length, U
 /// without k or k without U, U below 0, k not above 0, numbers that are none, a covariance that is
-/// none, an element twice. NaN within a list is an entry that is not stated; NaN alone is refused.
+/// none, an element twice. NaN in an XML list is an entry that is not stated; NaN elsewhere is
+/// refused.
 Result<DSiQuantity> readDSiQuantity(const ParsedElement &element);
 
 } // namespace dyncal

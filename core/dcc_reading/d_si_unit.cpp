@@ -240,4 +240,12 @@ std::optional<DSiUnit> unitOfSymbol(std::string_view text)
     return unit;
 }
 
+std::optional<double> unitRatio(std::string_view from, std::string_view to)
+{
+    const std::optional<DSiUnit> first = unitOfSymbol(from), second = unitOfSymbol(to);
+    if (!first || !second || first->powers != second->powers)
+        return std::nullopt;
+    return first->factor / second->factor;
+}
+
 } // namespace dyncal

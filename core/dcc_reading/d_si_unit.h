@@ -33,4 +33,8 @@ std::optional<DSiUnit> parseDSiUnit(std::string_view text);
 /// The same of a unit as recipes and results write it: "V/Pa", "pC/Pa", "1".
 std::optional<DSiUnit> unitOfSymbol(std::string_view text);
 
+/// What a number in the first unit is multiplied by to be in the second, both as unitOfSymbol()
+/// reads them; empty where one is not known, or they are of different quantities.
+std::optional<double> unitRatio(std::string_view from, std::string_view to);
+
 } // namespace dyncal

@@ -22,13 +22,20 @@ struct Identification
     std::vector<std::string> refTypes;
 };
 
+/// The schema wants a value where nothing is known: a hyphen, or the dash of this program.
+bool isPlaceholder(const std::string &value)
+{
+    return value.empty() || value == "-" || value == "\xE2\x80\x93" || value == "\xE2\x80\x94";
+}
+
 std::vector<Identification> identificationsOf(const ParsedElement &item)
 {
     std::vector<Identification> identifications;
     if (const ParsedElement *list = item.child("identifications"))
         for (const ParsedElement *one : list->all("identification"))
-            identifications.push_back({one->textAt({"issuer"}), one->textAt({"value"}),
-                lowerCase(wordsOfText(one->child("name"))), wordsOfAttribute(*one, "refType")});
+            if (!isPlaceholder(one->textAt({"value"})))
+                identifications.push_back({one->textAt({"issuer"}), one->textAt({"value"}),
+                    lowerCase(wordsOfText(one->child("name"))), wordsOfAttribute(*one, "refType")});
     return identifications;
 }
 

@@ -30,7 +30,7 @@ struct StatedTable
 {
     std::string id;
     std::string name; ///< its own, else that of its result
-    std::vector<std::string> refTypes;
+    std::vector<std::string> refTypes; ///< its own, else those of its result
     Index line = 0;
     std::vector<StatedQuantity> columns = {};
     std::vector<Message> notUnderstood = {}; ///< a sentence for each quantity that is left out

@@ -57,17 +57,27 @@ void read(const ParsedElement &element, std::vector<StatedQuantity> &quantities,
     quantities.push_back(std::move(*quantity));
 }
 
-void readList(const ParsedElement &list, const std::string &nameOfResult, DccContents &contents)
+/// What a list has from the result or the list that it stands in, where it says nothing itself.
+struct Surrounding
 {
-    const std::string own = wordsOfText(list.child("name"));
-    StatedTable table{list.attribute("id"), own.empty() ? nameOfResult : own,
+    std::string name;
+    std::vector<std::string> refTypes;
+};
+
+void readList(const ParsedElement &list, const Surrounding &around, DccContents &contents)
+{
+    StatedTable table{list.attribute("id"), wordsOfText(list.child("name")),
         wordsOfAttribute(list, "refType"), list.line};
+    if (table.name.empty())
+        table.name = around.name;
+    if (table.refTypes.empty())
+        table.refTypes = around.refTypes;
     for (const ParsedElement *quantity : list.all("quantity"))
         read(*quantity, table.columns, table.notUnderstood);
-    const std::string name = table.name;
+    const Surrounding inside{table.name, table.refTypes};
     contents.tables.push_back(std::move(table));
     for (const ParsedElement *inner : list.all("list")) // no deeper than kDeepestXml
-        readList(*inner, name, contents);
+        readList(*inner, inside, contents);
 }
 
 } // namespace
@@ -77,10 +87,11 @@ void readResult(const ParsedElement &result, DccContents &contents)
     const ParsedElement *data = result.child("data");
     if (!data)
         return;
-    const std::string name = wordsOfText(result.child("name"));
+    const Surrounding around{
+        wordsOfText(result.child("name")), wordsOfAttribute(result, "refType")};
     for (const ParsedElement &child : data->children) {
         if (child.name == "list")
-            readList(child, name, contents);
+            readList(child, around, contents);
         else if (child.name == "quantity")
             read(child, contents.single, contents.notUnderstood);
     }

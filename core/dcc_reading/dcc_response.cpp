@@ -4,6 +4,8 @@
 #include "core/dcc_reading/dcc_response.h"
 
 #include "core/base/ascii_text.h"
+#include "core/base/constants.h"
+#include "core/base/propagation.h"
 
 #include <algorithm>
 #include <array>
@@ -160,6 +162,30 @@ StatedValues rowsOf(const StatedValues &all, const std::vector<std::size_t> &row
     return kept;
 }
 
+/// Student's factor of 95 % of each row, where the list states degrees of freedom (a certificate of
+/// this program); NaN: infinitely many, or not stated.
+std::vector<double> factorsOf(const StatedTable &table, std::size_t count)
+{
+    constexpr double kCoverage = 0.95;
+    const auto found = std::ranges::find_if(table.columns,
+        [](const StatedQuantity &one) { return one.hasRefType("dyncal_degreesOfFreedom"); });
+    std::vector<double> factors(count, kUnknown);
+    if (found == table.columns.end() || found->stated.values.values.size() != count)
+        return factors;
+    for (std::size_t i = 0; i < count; ++i)
+        if (const double dof = found->stated.values.values[i]; dof > 0.0)
+            factors[i] = coverageFactor(dof, kCoverage);
+    return factors;
+}
+
+/// Takes the factors over where no other is stated.
+void fillFactors(StatedValues &stated, const std::vector<double> &factors)
+{
+    for (std::size_t i = 0; i < stated.k.size(); ++i)
+        if (std::isnan(stated.k[i]))
+            stated.k[i] = factors[i];
+}
+
 CertifiedResponse responseFrom(const StatedTable &table, const std::vector<double> &f_Hz,
     const StatedValues &magnitude, const StatedValues *phase)
 {
@@ -173,9 +199,14 @@ CertifiedResponse responseFrom(const StatedTable &table, const std::vector<doubl
         response.frequency_Hz.push_back(f_Hz[i]);
     }
     response.withoutValue = static_cast<Index>(f_Hz.size() - rows.size());
-    response.magnitude = rowsOf(magnitude, rows);
+    const std::vector<double> factors = factorsOf(table, f_Hz.size());
+    const auto kept = [&](StatedValues all) {
+        fillFactors(all, factors);
+        return rowsOf(all, rows);
+    };
+    response.magnitude = kept(magnitude);
     if (phase)
-        response.phase_rad = rowsOf(*phase, rows);
+        response.phase_rad = kept(*phase);
     return response;
 }
 
@@ -205,8 +236,14 @@ Result<CertifiedResponse> responseOf(const StatedTable &table, const std::option
     }
     if (const Result<void> lengths = checkLengths(table, used); !lengths)
         return tl::unexpected<Error>(lengths.error());
-    return responseFrom(
+    CertifiedResponse response = responseFrom(
         table, (*frequency)->stated.values.values, (*magnitude)->stated.values, phases);
+    if (response.frequency_Hz.empty())
+        return refused(
+            {DYNCAL_TEXT("core",
+                 "The list in line %1 of the certificate states no magnitude at any frequency (NaN only)."),
+                {std::to_string(table.line)}});
+    return response;
 }
 
 bool isOverFrequency(const StatedTable &table)

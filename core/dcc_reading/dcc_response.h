@@ -27,9 +27,10 @@ struct CertifiedResponse
 /// Complex values give both. Where several quantities are in such a unit, the only one of them
 /// counts that has one of the refTypes dyncal_frequency, vib_frequency, basic_tableIndex0,
 /// dyncal_magnitude, vib_magnitude, dyncal_phase, vib_phase, basic_measuredValue (in this order),
-/// or else that states an uncertainty; real ones go before complex ones. Fails (Usage) where none
-/// or several are left, with the reasons why quantities of the list were not understood, where they
-/// differ in length, and on frequencies that are not above 0.
+/// or else that states an uncertainty; real ones go before complex ones. Rows whose k is not stated
+/// have Student's factor of 95 % where the list has dyncal_degreesOfFreedom. Fails (Usage) where
+/// none or several are left, with the reasons why quantities of the list were not understood, where
+/// they differ in length, and on frequencies that are not above 0.
 Result<CertifiedResponse> responseOf(const StatedTable &table, const std::optional<DSiUnit> &unit);
 
 /// Whether it has a quantity in hertz: other lists are of no response.

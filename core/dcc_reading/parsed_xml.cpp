@@ -113,13 +113,13 @@ Result<void> checkSize(std::string_view bytes)
 {
     constexpr std::size_t kTagsOfElement = 2;
     const auto tags = static_cast<std::size_t>(std::ranges::count(bytes, '<'));
-    if (bytes.size() <= kMostXmlBytes && tags <= kTagsOfElement * kMostParsedElements)
+    if (bytes.size() <= kMostXmlBytes && tags <= kTagsOfElement * kMostXmlElements)
         return {};
     return unreadable(
         {DYNCAL_TEXT("core",
              "The XML file has %1 bytes and %2 tags, more than the %3 bytes and %4 tags that a certificate may have; take out what is embedded in it."),
             {std::to_string(bytes.size()), std::to_string(tags), std::to_string(kMostXmlBytes),
-                std::to_string(kTagsOfElement * kMostParsedElements)}});
+                std::to_string(kTagsOfElement * kMostXmlElements)}});
 }
 
 tl::unexpected<Error> malformed(const pugi::xml_parse_result &parsed, const LineCount &lines)

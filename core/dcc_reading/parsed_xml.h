@@ -34,7 +34,7 @@ struct ParsedElement
 // What an XML file may ask of this program. A certificate with plots inside has a few MiB and some
 // ten thousand elements; what goes beyond is no certificate but an attack or an accident.
 inline constexpr std::size_t kMostXmlBytes = std::size_t(16) << 20U;
-inline constexpr std::size_t kMostParsedElements = 500000;
+inline constexpr std::size_t kMostXmlElements = 500000;
 inline constexpr int kDeepestXml = 100;
 
 /// Reads a document in UTF-8, UTF-16 or, where it says so, Latin-1. Nothing is fetched and nothing
