@@ -57,6 +57,18 @@ void scale(std::vector<double> &values, const std::vector<double> &factors)
         values[i] *= factors[i];
 }
 
+/// In units without prefix a number may be beyond what a computer's numbers hold.
+Result<StatedValues> withinRange(const ParsedElement &element, StatedValues stated)
+{
+    const auto isBeyond = [](double value) { return std::isinf(value); };
+    if (std::ranges::none_of(stated.values, isBeyond) && std::ranges::none_of(stated.u, isBeyond))
+        return stated;
+    return notUnderstood(element,
+        DYNCAL_TEXT("core",
+            "Line %1, %2: a value or its uncertainty is beyond 1e308 in %3, which nothing measured is."),
+        {stated.unit.symbol()});
+}
+
 Result<StatedUncertainty> ownOrListed(
     const ParsedElement &element, const ParsedElement *list, std::size_t count)
 {
@@ -79,7 +91,8 @@ Result<StatedValues> realOf(const ParsedElement &element, const ParsedElement *l
         return tl::unexpected<Error>(stated.error());
     scale(*values, unit->factors);
     scale(stated->u, unit->factors);
-    return StatedValues{unit->unit, std::move(*values), std::move(stated->u), std::move(stated->k)};
+    return withinRange(
+        element, {unit->unit, std::move(*values), std::move(stated->u), std::move(stated->k)});
 }
 
 Result<DSiQuantity> realQuantity(const ParsedElement &element)
@@ -212,7 +225,9 @@ Result<DSiQuantity> complexOf(const ParsedElement &element, const ParsedElement 
                 {std::to_string(i + 1)});
         add(quantity, one, !parts->covariances.empty());
     }
-    return quantity;
+    return withinRange(element, std::move(quantity.values)).map([&](StatedValues values) {
+        return DSiQuantity{std::move(values), std::move(quantity.phases_rad)};
+    });
 }
 
 /// Each phase to the turn nearest to the one before it: the angle of a complex value has none.

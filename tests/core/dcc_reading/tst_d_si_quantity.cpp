@@ -174,6 +174,19 @@ private slots:
         QCOMPARE(read("real", tag("value", " +1.5E-3\n") + unit)->values.values[0], 1.5e-3);
     }
 
+    void whatIsBeyondNumbers_isRefused()
+    {
+        QVERIFY(isRefused(
+            "real", tag("value", "1e308") + tag("unit", "\\kilo\\volt"), "beyond 1e308 in V"));
+        QVERIFY(isRefused("real",
+            kMilliVolt
+                + tag("expandedUnc", tag("uncertainty", "1") + tag("coverageFactor", "1e-320")),
+            "beyond 1e308"));
+        QVERIFY(isRefused("complex",
+            tag("valueReal", "1e307") + tag("valueImag", "1") + tag("unit", "\\kilo\\volt"),
+            "beyond"));
+    }
+
     /// The D-SI's word for no value, in lists.
     void noValues_areNoNumbers()
     {
