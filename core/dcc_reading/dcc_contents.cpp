@@ -86,8 +86,10 @@ void readAdministrativeData(const ParsedElement &data, DccContents &contents)
     contents.begun = data.textAt({"coreData", "beginPerformanceDate"});
     contents.ended = data.textAt({"coreData", "endPerformanceDate"});
     contents.issued = data.textAt({"coreData", "issueDate"});
-    contents.laboratory = wordsOfText(data.at({"calibrationLaboratory", "contact", "name"}));
-    contents.customer = wordsOfText(data.at({"customer", "name"}));
+    const auto stated = [](std::string text) { return isPlaceholder(text) ? std::string() : text; };
+    contents.laboratory
+        = stated(wordsOfText(data.at({"calibrationLaboratory", "contact", "name"})));
+    contents.customer = stated(wordsOfText(data.at({"customer", "name"})));
     if (const ParsedElement *items = data.child("items"))
         for (const ParsedElement *item : items->all("item"))
             contents.items.push_back(itemOf(*item));
