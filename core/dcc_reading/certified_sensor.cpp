@@ -5,6 +5,7 @@
 
 #include "core/base/ascii_text.h"
 #include "core/base/constants.h"
+#include "core/dcc_reading/own_certificate.h"
 
 #include <algorithm>
 #include <array>
@@ -13,24 +14,7 @@
 namespace dyncal {
 namespace {
 
-/// The response in all its digits, and as printed.
-constexpr std::array kOwnResponses{"dyncal_complexResponse", "dyncal_frequencyResponse"};
-constexpr const char *kOwnSensitivity = "dyncal_sensitivity";
-constexpr const char *kOwnNaturalFrequency = "dyncal_naturalFrequency";
-constexpr const char *kOwnDampingRatio = "dyncal_dampingRatio";
-
 using Candidates = std::vector<const StatedQuantity *>;
-
-/// Of this program: it declares its own refTypes and uses them everywhere.
-bool isOwn(const DccContents &contents)
-{
-    const auto isOwnType
-        = [](const std::string &refType) { return refType.starts_with("dyncal_"); };
-    const auto hasOwn
-        = [&](const auto &one) { return std::ranges::any_of(one.refTypes, isOwnType); };
-    return std::ranges::any_of(contents.tables, hasOwn)
-        || std::ranges::any_of(contents.single, hasOwn);
-}
 
 void setSerial(const DccContents &contents, CertifiedSensor &sensor)
 {
@@ -79,14 +63,6 @@ Candidates singleOf(
 const StatedQuantity *onlyOf(const Candidates &candidates)
 {
     return candidates.size() == 1 ? candidates.front() : nullptr;
-}
-
-/// Of several levels there is none for all of them: theirs have a second refType.
-const StatedQuantity *ownQuantity(const DccContents &contents, const char *refType)
-{
-    return onlyOf(singleOf(contents, [refType](const StatedQuantity &one) {
-        return one.refTypes.size() == 1 && one.refTypes.front() == refType;
-    }));
 }
 
 template <std::size_t N>
@@ -189,38 +165,27 @@ void readForeignTables(const DccContents &contents, CertifiedSensor &sensor)
     append(sensor.leftOut, sensor.response->notUnderstood);
 }
 
-std::vector<const StatedTable *> tablesWith(const DccContents &contents, const char *refType)
-{
-    std::vector<const StatedTable *> tables;
-    for (const StatedTable &table : contents.tables)
-        if (std::ranges::find(table.refTypes, refType) != table.refTypes.end())
-            tables.push_back(&table);
-    return tables;
-}
-
 void readOwnTables(const DccContents &contents, CertifiedSensor &sensor)
 {
-    for (const char *refType : kOwnResponses) {
-        const std::vector<const StatedTable *> responses = tablesWith(contents, refType);
-        if (responses.size() > 1)
-            return leaveOutAsSeveral(responses, sensor);
-        if (responses.empty())
-            continue;
-        Result<CertifiedResponse> response = responseOf(*responses.front(), std::nullopt);
-        if (!response)
-            return leaveOut(*responses.front(), response.error().message, sensor);
-        append(sensor.leftOut, response->notUnderstood);
-        sensor.response = std::move(*response);
+    const std::vector<const StatedTable *> responses = ownResponses(contents);
+    if (responses.size() > 1)
+        return leaveOutAsSeveral(responses, sensor);
+    if (responses.empty())
         return;
-    }
+    Result<CertifiedResponse> response = responseOf(*responses.front(), std::nullopt);
+    if (!response)
+        return leaveOut(*responses.front(), response.error().message, sensor);
+    append(sensor.leftOut, response->notUnderstood);
+    sensor.response = std::move(*response);
 }
 
 void readOwn(const DccContents &contents, CertifiedSensor &sensor)
 {
     Candidates taken;
-    take(ownQuantity(contents, kOwnSensitivity), sensor.sensitivity, taken);
-    take(ownQuantity(contents, kOwnNaturalFrequency), sensor.naturalFrequency, taken);
-    take(ownQuantity(contents, kOwnDampingRatio), sensor.dampingRatio, taken);
+    take(ownValue(contents, "dyncal_sensitivity"), sensor.sensitivity, taken);
+    take(ownValue(contents, "dyncal_naturalFrequency"), sensor.naturalFrequency, taken);
+    take(ownValue(contents, "dyncal_dampingRatio"), sensor.dampingRatio, taken);
+    sensor.recordings = ownRecordings(contents);
     readOwnTables(contents, sensor);
 }
 
@@ -241,7 +206,7 @@ CertifiedSensor certifiedSensor(const DccContents &contents)
     CertifiedSensor sensor;
     setSerial(contents, sensor);
     append(sensor.leftOut, contents.notUnderstood);
-    if (isOwn(contents))
+    if (isOwnCertificate(contents))
         readOwn(contents, sensor);
     else
         readForeign(contents, sensor);

@@ -31,17 +31,16 @@ struct CertifiedSensor
     std::optional<CertifiedValue> sensitivity = {}; ///< that holds for no single frequency
     std::optional<CertifiedValue> naturalFrequency = {}; ///< in Hz
     std::optional<CertifiedValue> dampingRatio = {};
+    std::vector<std::string> recordings = {}; ///< SHA-256, sorted: of this program's certificates
     std::vector<Message> leftOut = {}; ///< a sentence for everything else among the results
 };
 
-/// Results are assigned by the refTypes of this program's own certificates (dyncal_sensitivity,
-/// dyncal_naturalFrequency, dyncal_dampingRatio, the list
-/// dyncal_complexResponse, else dyncal_frequencyResponse), whose other
-/// results are not named in leftOut; else by unit and name: a response is the only list that
-/// responseOf() reads, a sensitivity the only single quantity in such a unit (of several the only
-/// basic_measuredValue), natural frequency and damping ratio the only ones in hertz and without
-/// unit that are called so in English or German. The serial number is that of the only item that
-/// has one.
+/// Results of this program's own certificates are assigned by their refTypes (own_certificate.h),
+/// and what else is in them is not named in leftOut; those of others by unit and name: a response
+/// is the only list that responseOf() reads, a sensitivity the only single quantity in such a unit
+/// (of several the only basic_measuredValue), natural frequency and damping ratio the only ones in
+/// hertz and without unit that are called so in English or German. The serial number is that of the
+/// only item that has one.
 CertifiedSensor certifiedSensor(const DccContents &contents);
 
 } // namespace dyncal

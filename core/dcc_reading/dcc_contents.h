@@ -25,6 +25,13 @@ struct StatedQuantity
     bool isComplex() const { return stated.phases_rad.has_value(); }
 };
 
+/// Words that stand in a list beside its quantities.
+struct StatedWords
+{
+    std::vector<std::string> refTypes;
+    std::vector<std::string> entries; ///< those in English, and those of no language
+};
+
 /// A list of the results: quantities side by side, row by row.
 struct StatedTable
 {
@@ -33,6 +40,7 @@ struct StatedTable
     std::vector<std::string> refTypes; ///< its own, else those of its result
     Index line = 0;
     std::vector<StatedQuantity> columns = {};
+    std::vector<StatedWords> words = {};
     std::vector<Message> notUnderstood = {}; ///< a sentence for each quantity that is left out
 };
 
@@ -62,7 +70,7 @@ struct DccContents
 /// Reads a certificate of the PTB's schema, version 3.0 to 3.3, whatever prefixes its namespaces
 /// have. Quantities are those of measurementResults/measurementResult/results/result/data, in lists
 /// at any depth; what stands in influence conditions, metadata and equipment is not a result. Words
-/// (noQuantity, charsXMLList) are passed over. A relative uncertainty, which has no k, is not
+/// (noQuantity, charsXMLList) are no quantities. A relative uncertainty, which has no k, is not
 /// taken, and named. A serial number is the identification with the refType basic_serialNumber,
 /// else the only one whose name says so, else the only one of the manufacturer. Fails
 /// (FileUnreadable) as readXml(), and where it is no certificate or of another version.

@@ -57,6 +57,16 @@ void read(const ParsedElement &element, std::vector<StatedQuantity> &quantities,
     quantities.push_back(std::move(*quantity));
 }
 
+std::vector<std::string> entriesOf(const ParsedElement &words)
+{
+    std::vector<std::string> entries;
+    for (const ParsedElement *content : words.all("content"))
+        if (const std::string language = content->attribute("lang");
+            language.empty() || language == "en")
+            entries.push_back(content->text);
+    return entries;
+}
+
 /// What a list has from the result or the list that it stands in, where it says nothing itself.
 struct Surrounding
 {
@@ -72,8 +82,11 @@ void readList(const ParsedElement &list, const Surrounding &around, DccContents 
         table.name = around.name;
     if (table.refTypes.empty())
         table.refTypes = around.refTypes;
-    for (const ParsedElement *quantity : list.all("quantity"))
+    for (const ParsedElement *quantity : list.all("quantity")) {
         read(*quantity, table.columns, table.notUnderstood);
+        if (const ParsedElement *words = quantity->child("noQuantity"))
+            table.words.push_back({wordsOfAttribute(*quantity, "refType"), entriesOf(*words)});
+    }
     const Surrounding inside{table.name, table.refTypes};
     contents.tables.push_back(std::move(table));
     for (const ParsedElement *inner : list.all("list")) // no deeper than kDeepestXml

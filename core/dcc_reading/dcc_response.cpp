@@ -11,6 +11,7 @@
 #include <array>
 #include <cmath>
 #include <functional>
+#include <limits>
 
 namespace dyncal {
 namespace {
@@ -162,28 +163,28 @@ StatedValues rowsOf(const StatedValues &all, const std::vector<std::size_t> &row
     return kept;
 }
 
-/// Student's factor of 95 % of each row, where the list states degrees of freedom (a certificate of
-/// this program); NaN: infinitely many, or not stated.
-std::vector<double> factorsOf(const StatedTable &table, std::size_t count)
+/// Effective degrees of freedom of each row, which certificates of this program state; infinite
+/// where they are not.
+std::vector<double> dofOf(const StatedTable &table, std::size_t count)
 {
-    constexpr double kCoverage = 0.95;
     const auto found = std::ranges::find_if(table.columns,
         [](const StatedQuantity &one) { return one.hasRefType("dyncal_degreesOfFreedom"); });
-    std::vector<double> factors(count, kUnknown);
+    std::vector<double> dof(count, std::numeric_limits<double>::infinity());
     if (found == table.columns.end() || found->stated.values.values.size() != count)
-        return factors;
+        return dof;
     for (std::size_t i = 0; i < count; ++i)
-        if (const double dof = found->stated.values.values[i]; dof > 0.0)
-            factors[i] = coverageFactor(dof, kCoverage);
-    return factors;
+        if (const double stated = found->stated.values.values[i]; stated > 0.0)
+            dof[i] = stated;
+    return dof;
 }
 
-/// Takes the factors over where no other is stated.
-void fillFactors(StatedValues &stated, const std::vector<double> &factors)
+/// Student's factor of 95 % where no other is stated.
+void fillFactors(StatedValues &stated, const std::vector<double> &dof)
 {
+    constexpr double kCoverage = 0.95;
     for (std::size_t i = 0; i < stated.k.size(); ++i)
-        if (std::isnan(stated.k[i]))
-            stated.k[i] = factors[i];
+        if (std::isnan(stated.k[i]) && std::isfinite(dof[i]))
+            stated.k[i] = coverageFactor(dof[i], kCoverage);
 }
 
 CertifiedResponse responseFrom(const StatedTable &table, const std::vector<double> &f_Hz,
@@ -199,9 +200,11 @@ CertifiedResponse responseFrom(const StatedTable &table, const std::vector<doubl
         response.frequency_Hz.push_back(f_Hz[i]);
     }
     response.withoutValue = static_cast<Index>(f_Hz.size() - rows.size());
-    const std::vector<double> factors = factorsOf(table, f_Hz.size());
+    const std::vector<double> dof = dofOf(table, f_Hz.size());
+    for (const std::size_t row : rows)
+        response.dof.push_back(dof[row]);
     const auto kept = [&](StatedValues all) {
-        fillFactors(all, factors);
+        fillFactors(all, dof);
         return rowsOf(all, rows);
     };
     response.magnitude = kept(magnitude);

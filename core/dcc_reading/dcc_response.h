@@ -18,6 +18,7 @@ struct CertifiedResponse
     std::vector<double> frequency_Hz; ///< above 0
     StatedValues magnitude; ///< u empty, or NaN in some rows, where none is stated
     std::optional<StatedValues> phase_rad = {};
+    std::vector<double> dof; ///< of the magnitudes; infinite where none are stated
     Index withoutValue = 0; ///< rows that state none
     std::vector<Message> notUnderstood = {}; ///< of the list
 };

@@ -117,6 +117,7 @@ Result<EarlierCalibration> earlierCalibrationOfDcc(
     calibration.day = *since1970;
     calibration.isDayOfCalibration = true;
     calibration.results = resultsOf(sensor);
+    calibration.recordings = sensor.recordings;
     calibration.dcc = {contents->number, contents->laboratory, contents->version};
     calibration.whyNoSerial = english(sensor.whyNoSerial);
     calibration.notAssigned = sensor.leftOut;

@@ -4,6 +4,7 @@
 #include "core/reference/reference_dcc.h"
 
 #include "core/dcc_reading/dcc_response.h"
+#include "core/dcc_reading/own_certificate.h"
 
 #include <utility>
 
@@ -27,10 +28,13 @@ std::vector<const StatedTable *> candidatesOf(const DccContents &contents, const
     return named;
 }
 
-/// Of several those that are a response in this unit.
-std::vector<const StatedTable *> usable(
+/// Of several those that are a response in this unit; of a certificate of this program, which has
+/// its response several times, the one with all digits.
+std::vector<const StatedTable *> usable(const DccContents &contents,
     const std::vector<const StatedTable *> &tables, const DSiUnit &unit)
 {
+    if (isOwnCertificate(contents))
+        return ownResponses(contents);
     std::vector<const StatedTable *> found;
     for (const StatedTable *table : tables)
         if (responseOf(*table, unit))
@@ -44,7 +48,7 @@ Result<const StatedTable *> tableOf(
 {
     const std::vector<const StatedTable *> all = candidatesOf(contents, id);
     const std::vector<const StatedTable *> found
-        = id.empty() && all.size() > 1 ? usable(all, unit) : all;
+        = id.empty() && all.size() > 1 ? usable(contents, all, unit) : all;
     if (found.size() == 1)
         return found.front();
     if (id.empty())
@@ -71,6 +75,7 @@ Result<std::vector<ReferencePoint>> rowsOf(
     for (std::size_t i = 0; i < response.frequency_Hz.size(); ++i) {
         rows.push_back({response.frequency_Hz[i], response.magnitude.values[i] / factor,
             response.magnitude.u[i] / factor});
+        rows.back().dof = response.dof[i];
         if (response.phase_rad) {
             rows.back().phase_rad = response.phase_rad->values[i];
             rows.back().u_phase_rad = response.phase_rad->u[i];

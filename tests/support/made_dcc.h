@@ -5,6 +5,7 @@
 
 #include <array>
 #include <string>
+#include <vector>
 
 namespace dyncal::testing {
 
@@ -46,6 +47,32 @@ inline std::string dccComplex(const std::string &re, const std::string &im, cons
             tag("valueRealXMLList", re) + tag("valueImagXMLList", im) + tag("unitXMLList", unit)
                 + region)
         + "</dcc:quantity>";
+}
+
+/// Words in place of numbers, each an entry of its own.
+inline std::string dccWords(const std::string &refType, const std::vector<std::string> &entries)
+{
+    std::string contents;
+    for (const std::string &entry : entries)
+        contents += "<dcc:content>" + entry + "</dcc:content>";
+    return "<dcc:quantity refType=\"" + refType + "\"><dcc:noQuantity>" + contents
+        + "</dcc:noQuantity></dcc:quantity>";
+}
+
+/// The quantity with a refType and a name.
+inline std::string dccMarked(
+    std::string quantity, const std::string &refType, const std::string &name = "")
+{
+    const std::string open = "<dcc:quantity>";
+    return quantity.replace(0, open.size(),
+        "<dcc:quantity" + (refType.empty() ? "" : " refType=\"" + refType + "\"") + ">"
+            + (name.empty() ? "" : "<dcc:name><dcc:content>" + name + "</dcc:content></dcc:name>"));
+}
+
+/// A list with a refType and without an id.
+inline std::string dccListOf(const std::string &refType, const std::string &quantities)
+{
+    return "<dcc:list refType=\"" + refType + "\">" + quantities + "</dcc:list>";
 }
 
 inline std::string dccList(const std::string &quantities, const std::string &id = "a")

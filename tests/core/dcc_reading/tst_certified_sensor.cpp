@@ -15,6 +15,8 @@
 
 using namespace dyncal;
 using testing::dccList;
+using testing::dccListOf;
+using testing::dccMarked;
 using testing::dccOf;
 using testing::dccQuantity;
 using testing::isNear;
@@ -23,15 +25,6 @@ namespace {
 
 const std::string kFrequencies = dccQuantity("1 10 100", "\\hertz");
 const std::string kMagnitudes = dccQuantity("2 3 4", "\\volt\\pascal\\tothe{-1}", "0.2");
-
-/// The quantity with a refType and a name.
-std::string marked(std::string quantity, const std::string &refType, const std::string &name = "")
-{
-    const std::string open = "<dcc:quantity>";
-    return quantity.replace(0, open.size(),
-        "<dcc:quantity" + (refType.empty() ? "" : " refType=\"" + refType + "\"") + ">"
-            + (name.empty() ? "" : "<dcc:name><dcc:content>" + name + "</dcc:content></dcc:name>"));
-}
 
 Result<CertifiedResponse> responseIn(const std::string &quantities)
 {
@@ -54,11 +47,6 @@ bool isRefused(const std::string &quantities, const char *word)
 CertifiedSensor sensorIn(const std::string &data)
 {
     return certifiedSensor(readDcc(dccOf(data)).value());
-}
-
-std::string ownList(const std::string &refType, const std::string &quantities)
-{
-    return "<dcc:list refType=\"" + refType + "\">" + quantities + "</dcc:list>";
 }
 
 } // namespace
@@ -92,10 +80,11 @@ private slots:
             isRefused(kFrequencies + kFrequencies + kMagnitudes, "several quantities in hertz"));
         const std::string angles = dccQuantity("1 1 1", "\\radian", "0.1");
         QVERIFY(isRefused(kFrequencies + kMagnitudes + angles + angles, "several angles"));
-        QVERIFY(faultOf(kFrequencies + marked(kFrequencies, "vib_frequency") + kMagnitudes
-            + marked(kMagnitudes, "basic_measuredValue") + angles + marked(angles, "vib_phase"))
+        QVERIFY(faultOf(kFrequencies + dccMarked(kFrequencies, "vib_frequency") + kMagnitudes
+            + dccMarked(kMagnitudes, "basic_measuredValue") + angles
+            + dccMarked(angles, "vib_phase"))
                     .empty());
-        QCOMPARE(responseIn(kFrequencies + kMagnitudes + marked(nominal, "basic_measuredValue"))
+        QCOMPARE(responseIn(kFrequencies + kMagnitudes + dccMarked(nominal, "basic_measuredValue"))
                      ->magnitude.values[0],
             5.0);
     }
@@ -139,9 +128,9 @@ private slots:
     {
         const CertifiedSensor sensor = sensorIn(
             dccQuantity("0.5", "\\volt\\mega\\pascal\\tothe{-1}", "0.1")
-            + marked(dccQuantity("50", "\\kilo\\hertz", "2"), "", "Natural frequency")
-            + marked(dccQuantity("60", "\\kilo\\hertz", "2"), "", "Upper limit")
-            + marked(dccQuantity("2", "\\percent", "1", "2.5"), "", "D\xC3\xA4mpfungsgrad")
+            + dccMarked(dccQuantity("50", "\\kilo\\hertz", "2"), "", "Natural frequency")
+            + dccMarked(dccQuantity("60", "\\kilo\\hertz", "2"), "", "Upper limit")
+            + dccMarked(dccQuantity("2", "\\percent", "1", "2.5"), "", "D\xC3\xA4mpfungsgrad")
             + dccList(kFrequencies + kMagnitudes) + dccList(dccQuantity("1 2", "\\kelvin"), "b"));
         QCOMPARE(sensor.serial, std::string("4711"));
         QVERIFY(isNear(sensor.sensitivity->value, 0.5e-6, 1e-12));
@@ -168,13 +157,13 @@ private slots:
     /// The certificate of this program: exact before printed response, k by degrees of freedom.
     void ownCertificate_isAssignedByRefTypes()
     {
-        const std::string exact = ownList("dyncal_complexResponse",
-            marked(kFrequencies, "basic_tableIndex0 dyncal_frequency")
-                + marked(dccQuantity("2.5 3.5 4.5", "\\volt\\pascal\\tothe{-1}", "", "", "si:"),
+        const std::string exact = dccListOf("dyncal_complexResponse",
+            dccMarked(kFrequencies, "basic_tableIndex0 dyncal_frequency")
+                + dccMarked(dccQuantity("2.5 3.5 4.5", "\\volt\\pascal\\tothe{-1}", "", "", "si:"),
                     "basic_measuredValue dyncal_magnitude")
-                + marked(
+                + dccMarked(
                     dccQuantity("9 9 9", "\\volt\\pascal\\tothe{-1}", "1"), "dyncal_modelMagnitude")
-                + marked(dccQuantity("NaN 4 NaN", "\\one"), "dyncal_degreesOfFreedom"));
+                + dccMarked(dccQuantity("NaN 4 NaN", "\\one"), "dyncal_degreesOfFreedom"));
         const std::string standard
             = "<si:measurementUncertaintyUnivariateXMLList><si:standardMUXMLList>"
               "<si:valueStandardMUXMLList>0.1 0.2 0.3</si:valueStandardMUXMLList></si:standardMUXMLList>"
@@ -183,14 +172,14 @@ private slots:
         const std::string close = "</si:realListXMLList>";
         withU.replace(withU.find(close, withU.find("2.5 3.5")), close.size(), standard);
         const CertifiedSensor sensor = sensorIn(
-            marked(dccQuantity("5", "\\volt\\pascal\\tothe{-1}", "1"), "dyncal_sensitivity")
-            + marked(dccQuantity("6", "\\volt\\pascal\\tothe{-1}", "1"),
+            dccMarked(dccQuantity("5", "\\volt\\pascal\\tothe{-1}", "1"), "dyncal_sensitivity")
+            + dccMarked(dccQuantity("6", "\\volt\\pascal\\tothe{-1}", "1"),
                 "dyncal_sensitivity dyncal_lowLevel")
-            + marked(dccQuantity("7", "\\hertz", "1"), "dyncal_naturalFrequency")
-            + marked(dccQuantity("8", "\\hertz", "1"), "dyncal_resonanceFrequency")
-            + marked(dccQuantity("0.1", "\\one", "1"), "dyncal_dampingRatio")
-            + ownList("dyncal_frequencyResponse", kFrequencies + kMagnitudes) + withU
-            + ownList("dyncal_poles", kFrequencies));
+            + dccMarked(dccQuantity("7", "\\hertz", "1"), "dyncal_naturalFrequency")
+            + dccMarked(dccQuantity("8", "\\hertz", "1"), "dyncal_resonanceFrequency")
+            + dccMarked(dccQuantity("0.1", "\\one", "1"), "dyncal_dampingRatio")
+            + dccListOf("dyncal_frequencyResponse", kFrequencies + kMagnitudes) + withU
+            + dccListOf("dyncal_poles", kFrequencies));
         QCOMPARE(sensor.sensitivity->value, 5.0);
         QCOMPARE(sensor.naturalFrequency->value, 7.0);
         QCOMPARE(sensor.dampingRatio->value, 0.1);
@@ -201,10 +190,22 @@ private slots:
         QVERIFY(sensor.leftOut.empty());
     }
 
+    void ownCertificate_namesItsRecordings()
+    {
+        const std::string first(64, 'b'), second(64, 'a');
+        const auto of = [](const std::vector<std::string> &hashes) {
+            return sensorIn(
+                dccListOf("dyncal_recordings", testing::dccWords("dyncal_sha256", hashes)))
+                .recordings;
+        };
+        QCOMPARE(of({first, second}), (std::vector<std::string>{second, first}));
+        QVERIFY(of({first, "not known"}).empty()); // all or none
+    }
+
     void ownCertificate_hasThePrintedResponseElse()
     {
         const CertifiedSensor sensor
-            = sensorIn(ownList("dyncal_frequencyResponse", kFrequencies + kMagnitudes));
+            = sensorIn(dccListOf("dyncal_frequencyResponse", kFrequencies + kMagnitudes));
         QCOMPARE(sensor.response->magnitude.values[0], 2.0);
     }
 

@@ -134,6 +134,20 @@ private slots:
         QVERIFY(std::isfinite(history.series[2].entries[1].En));
     }
 
+    /// The certificate of a calibration beside its results is the same calibration.
+    void ownCertificate_isTheSameJobAsItsResults()
+    {
+        EarlierCalibration own = calibration(dccOf(
+            dccListOf("dyncal_recordings", dccWords("dyncal_sha256", {std::string(64, 'a')}))));
+        QCOMPARE(own.recordings, std::vector<std::string>{std::string(64, 'a')});
+        EarlierCalibration results
+            = madeCalibration({.day = "2025-03-04", .serial = "4711"}, "r.json");
+        results.recordings = own.recordings;
+        const SensorCalibrations sensor = calibrationsOfSensor({own, results}, "").value();
+        QCOMPARE(filesOf(sensor.points), std::string("r.json"));
+        QCOMPARE(leftOutName(sensor.leftOut.at(0).why), "same_recordings");
+    }
+
     void withoutSerial_isLeftOut_withTheReason()
     {
         const EarlierCalibration none

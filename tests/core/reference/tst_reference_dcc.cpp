@@ -194,6 +194,28 @@ private slots:
         QVERIFY(isNear(made->sensitivity.at(2e3)->phase_rad, std::atan2(4.0, 3.0), 1e-12));
     }
 
+    /// A certificate of this program has its response several times: the one with all digits
+    /// counts, with its degrees of freedom.
+    void ownCertificate_givesItsResponseInAllDigits()
+    {
+        using namespace testing;
+        const auto response = [](const std::string &values) {
+            return kFrequencies
+                + dccMarked(
+                    dccQuantity(values, "\\volt\\pascal\\tothe{-1}", "0.2"), "dyncal_magnitude")
+                + dccMarked(dccQuantity("NaN 4 NaN", "\\one"), "dyncal_degreesOfFreedom");
+        };
+        const auto made
+            = readReferenceDcc(dccOf(dccListOf("dyncal_frequencyResponse", response("2 3 4"))
+                                   + dccListOf("dyncal_complexResponse", response("2.1 3.1 4.1"))
+                                   + dccListOf("dyncal_complexResponseAtMarks", response("5 6 7"))),
+                "", "V/Pa");
+        QVERIFY(made.has_value());
+        QVERIFY(isNear(made->sensitivity.at(1e4)->magnitude, 3.1, 1e-12));
+        QCOMPARE(made->sensitivity.at(1e4)->dof, 4.0);
+        QVERIFY(std::isinf(made->sensitivity.at(1e3)->dof));
+    }
+
     /// Rows that the laboratory withheld (NaN of the D-SI) are left out, and no value is taken
     /// without its U.
     void withheldRows_areLeftOut()
