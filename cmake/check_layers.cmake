@@ -11,7 +11,7 @@ set(rooms_of_core base base/writing capture
     capture/formats/bytes capture/formats/text capture/formats/lvm capture/formats/tdms
     capture/formats/hdf5 capture/formats/foreign capture/formats/matlab
     capture/formats/instruments capture/formats/preview capture/opening
-    signal shock reference decomposition
+    signal shock dcc_reading reference decomposition
     realization/exponentials realization/input realization/hankel realization/refinement
     realization/nuisance realization/second_order realization/model realization/order
     model_analysis consistency uncertainty monte_carlo project pipeline certificate results dcc issue batch correction

@@ -9389,6 +9389,282 @@ steget</translation>
         <source>%1 values of S(f), from %2 to %3, lie outside the frequencies that the laboratory states a capability (CMC) for; the certificate marks them as outside the scope.</source>
         <translation>%1 värden av S(f), från %2 till %3, ligger utanför de frekvenser som laboratoriet anger en mätförmåga (CMC) för; beviset märker dem som utanför omfattningen.</translation>
     </message>
+    <message>
+        <source>A file of the folder was left out. %1</source>
+        <translation>En fil i mappen utelämnades. %1</translation>
+    </message>
+    <message>
+        <source>The project could not be saved as %1 (%2); choose another place.</source>
+        <translation>Projektet kunde inte sparas som %1 (%2); välj en annan plats.</translation>
+    </message>
+    <message>
+        <source>%1: a channel was left out. %2</source>
+        <translation>%1: en kanal utelämnades. %2</translation>
+    </message>
+    <message>
+        <source>%1 has no channel that can be read. %2</source>
+        <translation>%1 har ingen kanal som kan läsas. %2</translation>
+    </message>
+    <message>
+        <source>%1 What stands before was read.</source>
+        <translation>%1 Det som står före lästes.</translation>
+    </message>
+    <message>
+        <source>Monte Carlo: %1 of %2 trials leave the range of the relations (%3); the stated uncertainties are too large for the value.</source>
+        <translation>Monte Carlo: %1 av %2 försök lämnar sambandens giltighetsområde (%3); de angivna osäkerheterna är för stora för värdet.</translation>
+    </message>
+    <message>
+        <source>Shot %1: the uncertainty of the step could not be checked by Monte Carlo (%2); what the law of propagation gives may be wrong.</source>
+        <translation>Skott %1: stegets osäkerhet kunde inte kontrolleras med Monte Carlo (%2); vad fortplantningslagen ger kan vara fel.</translation>
+    </message>
+    <message>
+        <source>The sensitivity has no complete uncertainty (%1). State what is missing in uncertainty.budget or in the capture; without it no sensitivity is a result.</source>
+        <translation>Känsligheten har ingen fullständig osäkerhet (%1). Ange det som saknas i uncertainty.budget eller i registreringen; utan den är ingen känslighet ett resultat.</translation>
+    </message>
+    <message>
+        <source>The file &apos;%1&apos; of %2.source cannot be used. %3</source>
+        <translation>Filen &apos;%1&apos; i %2.source kan inte användas. %3</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source>%1 states %2, this calibration %3: they differ by %4 %, En = %5, more than both expanded uncertainties, and are not joined to one curve. Check unit, range, gas and mounting of either; the one that is wrong is not known.</source>
+        <translation>%1 anger %2, denna kalibrering %3: de skiljer sig med %4 %, En = %5, mer än båda utvidgade osäkerheterna, och förenas inte till en kurva. Kontrollera enhet, område, gas och montering för båda; vilken som är fel är inte känt.</translation>
+    </message>
+    <message>
+        <source>%1 of response.known cannot be compared with this calibration: %2. Correct it, or leave it out.</source>
+        <translation>%1 i response.known kan inte jämföras med denna kalibrering: %2. Rätta det, eller utelämna det.</translation>
+    </message>
+    <message>
+        <source>%V1 cannot be read, or is empty; give a digital calibration certificate.</source>
+        <translation>%V1 kan inte läsas eller är tom; ange ett digitalt kalibreringscertifikat.</translation>
+    </message>
+    <message>
+        <source>Pressure sensor</source>
+        <translation>Tryckgivare</translation>
+    </message>
+    <message>
+        <source>Source</source>
+        <translation>Källa</translation>
+    </message>
+    <message>
+        <source>Shot, 0 where it is of all</source>
+        <translation>Skott, 0 där det gäller alla</translation>
+    </message>
+    <message>
+        <source>Standard uncertainty</source>
+        <translation>Standardosäkerhet</translation>
+    </message>
+    <message>
+        <source>Contribution</source>
+        <translation>Bidrag</translation>
+    </message>
+    <message>
+        <source>Share of the variance</source>
+        <translation>Andel av variansen</translation>
+    </message>
+    <message>
+        <source>Degrees of freedom</source>
+        <translation>Frihetsgrader</translation>
+    </message>
+    <message>
+        <source>Distribution</source>
+        <translation>Fördelning</translation>
+    </message>
+    <message>
+        <source>Key in results.json</source>
+        <translation>Nyckel i results.json</translation>
+    </message>
+    <message>
+        <source>Both propagations agree: 1, or 0</source>
+        <translation>Båda fortplantningarna stämmer överens: 1, annars 0</translation>
+    </message>
+    <message>
+        <source>Values by Monte Carlo, with their intervals</source>
+        <translation>Värden enligt Monte Carlo, med intervall</translation>
+    </message>
+    <message>
+        <source>Budget of the uncertainty</source>
+        <translation>Osäkerhetsbudget</translation>
+    </message>
+    <message>
+        <source>Effective degrees of freedom</source>
+        <translation>Effektiva frihetsgrader</translation>
+    </message>
+    <message>
+        <source>Reported values, not rounded</source>
+        <translation>Redovisade värden, ej avrundade</translation>
+    </message>
+    <message>
+        <source>Complex response</source>
+        <translation>Komplext svar</translation>
+    </message>
+    <message>
+        <source>Of %1 rows %2 are withheld and have no value (NaN).</source>
+        <translation>Av %1 rader hålls %2 inne och saknar värde (NaN).</translation>
+    </message>
+    <message>
+        <source>Frequency response as complex numbers, not rounded</source>
+        <translation>Frekvenssvar som komplexa tal, ej avrundat</translation>
+    </message>
+    <message>
+        <source>The same at the limits of the band, its edges and the resonance</source>
+        <translation>Detsamma vid bandets gränser, dess kanter och resonansen</translation>
+    </message>
+    <message>
+        <source>Frequency response against the reference transducer, not rounded</source>
+        <translation>Frekvenssvar mot referensgivaren, ej avrundat</translation>
+    </message>
+    <message>
+        <source>A list has one text for each of the %1 values, or one for all.</source>
+        <translation>En lista har en text för vart och ett av de %1 värdena, eller en för alla.</translation>
+    </message>
+    <message>
+        <source>The quantities of a list have one number of values; the first has %1.</source>
+        <translation>Storheterna i en lista har lika många värden; den första har %1.</translation>
+    </message>
+    <message>
+        <source>A list has single blanks between its texts, and none at its ends.</source>
+        <translation>En lista har enkla blanksteg mellan sina texter och inga i ändarna.</translation>
+    </message>
+    <message>
+        <source>A unit is written as the D-SI does, without blanks, like \volt\pascal\tothe{-1}.</source>
+        <translation>En enhet skrivs som i D-SI, utan blanksteg, till exempel \volt\pascal\tothe{-1}.</translation>
+    </message>
+    <message>
+        <source>Evaluation of the uncertainty</source>
+        <translation>Utvärdering av osäkerheten</translation>
+    </message>
+    <message>
+        <source>Versions of the methods, stage by stage</source>
+        <translation>Metodernas versioner, steg för steg</translation>
+    </message>
+    <message>
+        <source>Stage</source>
+        <translation>Steg</translation>
+    </message>
+    <message>
+        <source>Calibration certificate</source>
+        <translation>Kalibreringscertifikat</translation>
+    </message>
+    <message>
+        <source>Least</source>
+        <translation>Minsta</translation>
+    </message>
+    <message>
+        <source>Largest</source>
+        <translation>Största</translation>
+    </message>
+    <message>
+        <source>A release is written like v1.2.3.</source>
+        <translation>En utgåva skrivs som v1.2.3.</translation>
+    </message>
+    <message>
+        <source>An id belongs to one element only.</source>
+        <translation>Ett id hör till ett enda element.</translation>
+    </message>
+    <message>
+        <source>Every id is referred to by a refId, or left out.</source>
+        <translation>Varje id hänvisas till av ett refId, eller utelämnas.</translation>
+    </message>
+    <message>
+        <source>A refId names the id of an element of the document.</source>
+        <translation>Ett refId anger id för ett element i dokumentet.</translation>
+    </message>
+    <message>
+        <source>Every measurement result names the methods that were used.</source>
+        <translation>Varje mätresultat anger de metoder som användes.</translation>
+    </message>
+    <message>
+        <source>Every measurement result states the conditions that influenced it.</source>
+        <translation>Varje mätresultat anger de förhållanden som påverkade det.</translation>
+    </message>
+    <message>
+        <source>A language is named by its two letters of ISO 639-1.</source>
+        <translation>Ett språk anges med sina två bokstäver enligt ISO 639-1.</translation>
+    </message>
+    <message>
+        <source>A mandatory language is one of the used ones.</source>
+        <translation>Ett obligatoriskt språk är ett av de använda.</translation>
+    </message>
+    <message>
+        <source>The language of a text is one of the used ones.</source>
+        <translation>En texts språk är ett av de använda.</translation>
+    </message>
+    <message>
+        <source>A country is named by its two letters of ISO 3166-1; type laboratory_country and customer_country in the fields of the certificate.</source>
+        <translation>Ett land anges med sina två bokstäver enligt ISO 3166-1; skriv laboratory_country och customer_country bland certifikatets fält.</translation>
+    </message>
+    <message>
+        <source>A date is a day of the calendar like 2026-01-31.</source>
+        <translation>Ett datum är en kalenderdag, till exempel 2026-01-31.</translation>
+    </message>
+    <message>
+        <source>The calibration does not end before its begin (%1).</source>
+        <translation>Kalibreringen slutar inte före sin början (%1).</translation>
+    </message>
+    <message>
+        <source>A refType of one&apos;s own is declared in refTypeDefinitions, as a value.</source>
+        <translation>En egen refType deklareras i refTypeDefinitions, som värde.</translation>
+    </message>
+    <message>
+        <source>The document is valid by the XML schema of its version.</source>
+        <translation>Dokumentet är giltigt enligt XML-schemat för sin version.</translation>
+    </message>
+    <message>
+        <source>There is no XML schema of this version at %V1, or it is none; give a folder that has PTB&apos;s schemas by their addresses.</source>
+        <translation>Det finns inget XML-schema för den här versionen på %V1, eller så är det inget; ange en mapp som har PTB:s scheman efter deras adresser.</translation>
+    </message>
+    <message>
+        <source>The file is no well-formed XML; give a digital calibration certificate.</source>
+        <translation>Filen är inte välformad XML; ange ett digitalt kalibreringscertifikat.</translation>
+    </message>
+    <message>
+        <source>This is a draft and no certificate: it has no number, and what it says may change.</source>
+        <translation>Detta är ett utkast och inget certifikat: det har inget nummer, och det som står i det kan ändras.</translation>
+    </message>
+    <message>
+        <source>Not stated yet; what stands in its place says nothing:</source>
+        <translation>Inte angivet än; det som står på dess plats säger ingenting:</translation>
+    </message>
+    <message>
+        <source>No interval until the next calibration is recommended.</source>
+        <translation>Inget intervall till nästa kalibrering rekommenderas.</translation>
+    </message>
+    <message>
+        <source>Largest deviation allowed</source>
+        <translation>Största tillåtna avvikelse</translation>
+    </message>
+    <message>
+        <source>Deviation</source>
+        <translation>Avvikelse</translation>
+    </message>
+    <message>
+        <source>Probability of lying beyond the limit</source>
+        <translation>Sannolikhet att ligga utanför gränsen</translation>
+    </message>
+    <message>
+        <source>The file is larger than 64 MiB, which no digital calibration certificate is; give another file.</source>
+        <translation>Filen är större än 64 MiB, vilket inget digitalt kalibreringscertifikat är; ange en annan fil.</translation>
+    </message>
+    <message>
+        <source>The file has a document type or entities of its own, which a digital calibration certificate does not need and which are never read; ask for one without.</source>
+        <translation>Filen har en dokumenttyp eller egna entiteter, som ett digitalt kalibreringscertifikat inte behöver och som aldrig läses; be om ett utan.</translation>
+    </message>
+    <message>
+        <source>The file is no well-formed XML (%1, at byte %2); give a digital calibration certificate.</source>
+        <translation>Filen är inte välformad XML (%1, vid byte %2); ange ett digitalt kalibreringscertifikat.</translation>
+    </message>
+    <message>
+        <source>The file is no digital calibration certificate: its first element is another; give a DCC of version 3.</source>
+        <translation>Filen är inget digitalt kalibreringscertifikat: dess första element är ett annat; ange ett DCC av version 3.</translation>
+    </message>
+    <message>
+        <source>The file is nested deeper than 100 elements, which no digital calibration certificate is; give another file.</source>
+        <translation>Filen är nästlad djupare än 100 element, vilket inget digitalt kalibreringscertifikat är; ange en annan fil.</translation>
+    </message>
 </context>
 <context>
     <name>dyncal::ArrivalPanel</name>

@@ -111,7 +111,7 @@ void addHistory(CLI::App &program, VerbAction &action)
     CLI::App *verb = program.add_subcommand(
         "history", "What earlier calibrations of a sensor say, over time, with E_n and limits");
     verb->add_option("paths", options->paths,
-            "results.json, folders of dyncal run or of certificates, or above such")
+            "results.json, certificates (DCC), folders of dyncal run or of certificates, or above such")
         ->required()
         ->type_name("FILE|FOLDER");
     verb->add_option(
@@ -130,9 +130,10 @@ void addHistory(CLI::App &program, VerbAction &action)
         "--sensors", options->sensors, "Only list the sensors that there are results of");
     verb->add_flag("--json", options->json, "As JSON");
     verb->footer(
-        "Exit codes: 0 done, 1 an E_n above 1 or a value beyond the warning limits, 3 a file cannot be\nread or is no results.json.\n\n"
+        "Exit codes: 0 done, 1 an E_n above 1 or a value beyond the warning limits, 3 a file cannot be\nread, or is neither a results.json nor a DCC.\n\n"
         "Example:\n  dyncal history certificates --sensor 4711 --at 1000,10000 -o history.csv\n"
-        "  dyncal history 2024/results.json 2025/results.json 2026/results.json --json");
+        "  dyncal history 2024/results.json 2025/results.json 2026/results.json --json\n"
+        "  dyncal history certificates bought-in/2023.xml --sensor 4711");
     verb->callback([options, &action] { action = [options] { return history(*options); }; });
 }
 

@@ -6,6 +6,7 @@
 #include "app/base/interrupt.h"
 #include "app/cli/console.h"
 
+#include "core/history/dcc_calibration.h"
 #include "registry/certificates/certificate_register.h"
 #include "registry/issued/issued_files.h"
 #include "registry/store/registry_address.h"
@@ -20,6 +21,8 @@ namespace fs = std::filesystem;
 /// What the manifest beside it says of these results.
 Result<EarlierCalibration> readCalibration(const std::string &file)
 {
+    if (isXmlFile(file))
+        return readEarlierDcc(file);
     Result<EarlierResults> read = readEarlierResults(file);
     if (!read)
         return tl::unexpected<Error>(read.error());

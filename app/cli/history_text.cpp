@@ -27,14 +27,21 @@ std::string dayOf(const EarlierCalibration &point)
     return dayOfMoment(point.time);
 }
 
+/// Its number: of the registry, or as a certificate that was read states it.
+std::string certificateOf(const EarlierCalibration &point)
+{
+    if (point.number > 0)
+        return std::to_string(point.number);
+    return point.dcc.number.empty() ? kNone : presentableInBrief(point.dcc.number);
+}
+
 std::string pointsText(const SensorHistory &history)
 {
     std::vector<Line> lines{{"", "day", "of", "certificate", "methods changed", "results"}};
     for (std::size_t i = 0; i < history.sensor.points.size(); ++i) {
         const EarlierCalibration &point = history.sensor.points[i];
         lines.push_back({std::to_string(i + 1), dayOf(point),
-            point.isDayOfCalibration ? "calibration" : "results",
-            point.number > 0 ? std::to_string(point.number) : kNone,
+            point.isDayOfCalibration ? "calibration" : "results", certificateOf(point),
             history.methodChanges[i].empty() ? kNone : presentableInBrief(history.methodChanges[i]),
             presentableInBrief(point.file)});
     }

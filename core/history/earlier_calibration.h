@@ -13,10 +13,18 @@
 
 namespace dyncal {
 
-/// One calibration of a sensor, as its results.json has it.
+/// A digital calibration certificate that a calibration is read from.
+struct CertificateSource
+{
+    std::string number = {}; ///< as its laboratory writes it
+    std::string laboratory = {};
+    std::string version = {}; ///< of the schema; empty: it is read from a results.json
+};
+
+/// One calibration of a sensor, as its results.json, or its certificate (DCC), has it.
 struct EarlierCalibration
 {
-    std::string file; ///< the results.json
+    std::string file; ///< the results.json, or the certificate
     Index number = 0; ///< of its certificate; 0: none that is known of
     std::string serial; ///< of the sensor; empty: not stated
     std::string time = {}; ///< day of the calibration, else the moment of the results (UTC)
@@ -32,6 +40,10 @@ struct EarlierCalibration
     std::vector<std::string> recordings; ///< SHA-256 of each, sorted; empty: not stated
     nlohmann::json results;
     std::vector<Message> remarks;
+    CertificateSource dcc = {};
+    std::string whyNoSerial = {}; ///< of a certificate without a serial number
+    /// Of a certificate: a sentence for everything in it that could not be assigned.
+    std::vector<Message> notAssigned = {};
 };
 
 /// What a results.json says of the calibration: serial number and day are the fields of its

@@ -3,7 +3,9 @@
 
 #include "core/history/earlier_response.h"
 
+#include "core/dcc_reading/d_si_unit.h"
 #include "core/history/control_chart.h"
+#include "core/history/dcc_calibration.h"
 #include "core/history/followed_value.h"
 #include "core/results/results_reading.h"
 
@@ -17,7 +19,9 @@ Result<EarlierResponse> earlierResponse(const EarlierCalibration &calibration)
     EarlierResponse response{.file = calibration.file,
         .serial = calibration.serial,
         .time = calibration.time,
-        .unit = textAt(valueAt(calibration.results, "response"), "unit")};
+        .unit = textAt(valueAt(calibration.results, "response"), "unit"),
+        .certificate = calibration.dcc.number,
+        .notAssigned = calibration.notAssigned};
     for (double f_Hz : numbersAt(valueAt(calibration.results, "response"), "frequency_hz")) {
         const FollowedValue row
             = followedValue(calibration.results, {FollowedKind::Magnitude, f_Hz, f_Hz});
@@ -28,16 +32,32 @@ Result<EarlierResponse> earlierResponse(const EarlierCalibration &calibration)
         return fail(ErrorKind::Usage,
             {DYNCAL_TEXT("core",
                  "%1 states no magnitude of a frequency response, so there is nothing to lay over; choose the results of a run that has one."),
-                {calibration.file}});
+                {calibration.file}, calibration.notAssigned});
     return response;
 }
 
 Result<EarlierResponse> readEarlierResponse(const std::string &path)
 {
+    if (isXmlFile(path))
+        return readEarlierDcc(path).and_then(earlierResponse);
     Result<EarlierResults> read = readEarlierResults(path);
     if (!read)
         return tl::unexpected<Error>(read.error());
     return earlierCalibration(std::move(*read)).and_then(earlierResponse);
+}
+
+bool toUnit(EarlierResponse &response, const std::string &unit)
+{
+    const std::optional<double> ratio
+        = response.unit == unit ? std::optional(1.0) : unitRatio(response.unit, unit);
+    if (!ratio)
+        return false;
+    for (ResponseRow &row : response.rows) {
+        row.magnitude *= *ratio;
+        row.U *= *ratio;
+    }
+    response.unit = unit;
+    return true;
 }
 
 ResponseAgreement agreementOf(

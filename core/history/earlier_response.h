@@ -27,15 +27,22 @@ struct EarlierResponse
     std::string time; ///< day of the calibration, else the moment of the results
     std::string unit; ///< of the magnitudes
     std::vector<ResponseRow> rows = {}; ///< those with a magnitude
+    std::string certificate = {}; ///< number of the one (DCC) that it is read from
+    /// Of a certificate: a sentence for everything in it that could not be assigned.
+    std::vector<Message> notAssigned = {};
 };
 
 /// The rows of these results with the certificate's U (followedValue()). Fails (Usage) where they
 /// have none.
 Result<EarlierResponse> earlierResponse(const EarlierCalibration &calibration);
 
-/// The same of a results.json, or of a folder that holds one. Fails as readEarlierResults() and
-/// earlierCalibration() do.
+/// The same of a results.json, of a folder that holds one, or of a digital calibration certificate
+/// (readEarlierDcc()). Fails as readEarlierResults() and earlierCalibration() do.
 Result<EarlierResponse> readEarlierResponse(const std::string &path);
+
+/// The rows in another unit of the same quantity ("C/Pa" as "pC/Pa"); false, and nothing is
+/// changed, where it is not one.
+bool toUnit(EarlierResponse &response, const std::string &unit);
 
 /// How two responses agree at the frequencies that both have.
 struct ResponseAgreement

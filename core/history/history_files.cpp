@@ -47,6 +47,12 @@ Record::Json pointJson(const EarlierCalibration &point, const std::string &metho
     record.set("time", point.time);
     record.set("time_of", point.isDayOfCalibration ? "calibration" : "results");
     record.text("created_utc", point.createdUtc, "The results state none.");
+    if (point.dcc.version.empty())
+        record.missing("dcc", "It is read from a results.json.");
+    else
+        record.set("dcc",
+            Record::Json{{"number", point.dcc.number}, {"laboratory", point.dcc.laboratory},
+                {"version", point.dcc.version}});
     record.text("methods_changed", methodChanges, kNothingChanged);
     record.text("blocked", point.blocked, "Nothing blocks.");
     record.set("remarks", textsOf(point.remarks));

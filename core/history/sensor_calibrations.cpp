@@ -98,7 +98,8 @@ std::vector<EarlierCalibration> ofSensor(
     for (EarlierCalibration &one : all) {
         if (one.serial.empty())
             sensor.leftOut.push_back({one.file, one.number, LeftOutFor::NoSerial,
-                "It states no serial number of its sensor."});
+                one.whyNoSerial.empty() ? "It states no serial number of its sensor."
+                                        : one.whyNoSerial});
         else if (one.serial == sensor.serial && !one.notInForce.empty())
             sensor.leftOut.push_back(
                 {one.file, one.number, LeftOutFor::NotInForce, one.notInForce});
@@ -117,6 +118,8 @@ const char *leftOutName(LeftOutFor why)
         return "same_recordings";
     case LeftOutFor::NotInForce:
         return "not_in_force";
+    case LeftOutFor::NotUnderstood:
+        return "not_understood";
     case LeftOutFor::NoSerial:
         break;
     }
@@ -157,6 +160,10 @@ Result<SensorCalibrations> calibrationsOfSensor(
                 {own[i].file, own[i].number, LeftOutFor::SameRecordings, reasons[i]});
     }
     std::ranges::stable_sort(sensor.points, isEarlier);
+    for (const EarlierCalibration &point : sensor.points)
+        for (const Message &one : point.notAssigned)
+            sensor.leftOut.push_back(
+                {point.file, point.number, LeftOutFor::NotUnderstood, english(one)});
     return sensor;
 }
 

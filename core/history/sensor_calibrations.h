@@ -10,11 +10,12 @@
 
 namespace dyncal {
 
-enum class LeftOutFor { NoSerial, SameRecordings, NotInForce };
+enum class LeftOutFor { NoSerial, SameRecordings, NotInForce, NotUnderstood };
 
 const char *leftOutName(LeftOutFor why); ///< "no_serial", "same_recordings", "not_in_force"
 
-/// A calibration that takes no part in the history.
+/// A calibration that takes no part in the history, or (NotUnderstood) a part of a certificate that
+/// does.
 struct LeftOutCalibration
 {
     std::string file;

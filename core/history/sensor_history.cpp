@@ -3,6 +3,7 @@
 
 #include "core/history/sensor_history.h"
 
+#include "core/dcc_reading/d_si_unit.h"
 #include "core/recheck/method_changes.h"
 
 #include <algorithm>
@@ -53,6 +54,18 @@ std::string newestUnit(const std::vector<SeriesEntry> &entries)
         if (std::isfinite(entry.stated.value))
             unit = entry.stated.unit;
     return unit;
+}
+
+/// What differs in its prefix only comes in the unit of the newest: a certificate's units have
+/// none.
+void convertUnits(HistorySeries &series)
+{
+    for (SeriesEntry &entry : series.entries)
+        if (const auto ratio = unitRatio(entry.stated.unit, series.unit); ratio && *ratio != 1.0) {
+            entry.stated.value *= *ratio;
+            entry.stated.u *= *ratio;
+            entry.stated.unit = series.unit;
+        }
 }
 
 /// A phase is known to a turn: it is counted to the one nearest to the value before.
@@ -147,6 +160,7 @@ HistorySeries seriesOf(
         series.entries.back().stated = statedBy(point, quantity);
     }
     series.unit = newestUnit(series.entries);
+    convertUnits(series);
     setPositions(series);
     setErrors(series);
     setLimits(series);

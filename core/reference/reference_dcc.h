@@ -18,12 +18,12 @@ struct CertifiedReference
     std::string certificate; ///< its number
 };
 
-/// Reads a digital calibration certificate (PTB DCC 3, D-SI 2): the list with the id `quantityId`,
-/// or, where that is empty, the only list that has frequencies. Of it the first quantity in hertz,
-/// the first in `unit` ("V/Pa", with any prefix), and the first in radian or degree, if there is
-/// one. U over its k becomes u. Fails (FileUnreadable) where it is no such certificate; (Usage)
-/// where the list is not there, is several, or lacks one of them, and as
-/// ReferenceSensitivity::fromTable().
+/// Reads a digital calibration certificate (readDcc()): the list with the id `quantityId`, or,
+/// where that is empty, the only list that has frequencies, of several the only one that is a
+/// response in `unit` ("V/Pa", "pC/Pa"). What in it means what: responseOf(). Magnitudes, real or
+/// complex, come in `unit`; rows without a magnitude are left out, and each other one must have its
+/// u. Fails (FileUnreadable) as readDcc(); (Usage) where the list is not there, is several, or
+/// lacks one of them, and as responseOf() and ReferenceSensitivity::fromTable().
 Result<CertifiedReference> readReferenceDcc(
     const std::string &xml, const std::string &quantityId, const std::string &unit);
 

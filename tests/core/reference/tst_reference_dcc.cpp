@@ -121,9 +121,23 @@ private slots:
         QVERIFY(made.has_value());
         QVERIFY(isNear(made->sensitivity.at(1e4)->u_magnitude, 0.0016e-6, 1e-12));
         QVERIFY(isNear(made->sensitivity.at(1e5)->u_magnitude, 0.002e-6, 1e-12));
-        const std::string mixed = dccQuantity("0.1 0.2 0.3",
+    }
+
+    /// Prefixes may differ from value to value, units may not.
+    void prefixes_belongToTheirValues()
+    {
+        const std::string prefixes = dccQuantity("0.1 0.2 300",
             "\\volt\\per\\pascal \\volt\\per\\pascal \\milli\\volt\\per\\pascal", "0.002");
-        QVERIFY(!faultOfXml(dccOf(dccList(kFrequencies + mixed))).empty());
+        const auto made = readReferenceDcc(dccOf(dccList(kFrequencies + prefixes)), "", "V/Pa");
+        QVERIFY(made.has_value());
+        QVERIFY(isNear(made->sensitivity.at(1e5)->magnitude, 0.3, 1e-12));
+        QVERIFY(isNear(made->sensitivity.at(1e5)->u_magnitude, 1e-6, 1e-12));
+        const std::string mixed
+            = dccQuantity("0.1 0.2 0.3", "\\volt\\per\\pascal \\volt\\per\\pascal \\volt", "0.002");
+        QVERIFY(
+            faultOfXml(dccOf(dccList(kFrequencies + mixed))).find("several") == std::string::npos);
+        QVERIFY(
+            faultOfXml(dccOf(dccList(kFrequencies + mixed))).find("\\volt") != std::string::npos);
     }
 
     void rowsThatNoTransducerHas_areRefused()
@@ -136,6 +150,84 @@ private slots:
         const std::string negative = dccQuantity("0.1 -0.2 0.3", "\\volt\\per\\pascal", "0.002");
         QVERIFY(
             faultOfXml(dccOf(dccList(kFrequencies + negative))).find("Row 2") != std::string::npos);
+    }
+
+    void magnitudes_comeInTheUnitAskedFor()
+    {
+        const std::string charge
+            = dccQuantity("2 3 4", "\\pico\\coulomb\\kilo\\pascal\\tothe{-1}", "0.02");
+        const auto made = readReferenceDcc(dccOf(dccList(kFrequencies + charge)), "", "pC/Pa");
+        QVERIFY(made.has_value());
+        QVERIFY(isNear(made->sensitivity.at(1e4)->magnitude, 3e-3, 1e-12));
+        QVERIFY(isNear(made->sensitivity.at(1e4)->u_magnitude, 1e-5, 1e-12));
+        QVERIFY(!readReferenceDcc(dccOf(dccList(kFrequencies + charge)), "", "g/Pa"));
+    }
+
+    /// An accelerometer is no reference for pressure.
+    void otherInputs_areRefusedByTheirUnit()
+    {
+        const std::string acceleration
+            = dccQuantity("2 3 4", "\\volt\\metre\\tothe{-1}\\second\\tothe{2}", "0.02");
+        QVERIFY(
+            faultOfXml(dccOf(dccList(kFrequencies + acceleration))).find("no magnitudes in V/Pa")
+            != std::string::npos);
+    }
+
+    /// S = 3 + 4j and its conjugate, in uV/Pa, with unequal and correlated parts: magnitude and
+    /// phase by hand (JCGM 102, 6.2).
+    void complexValues_giveMagnitudeAndPhase()
+    {
+        const auto made = readReferenceDcc(
+            dccOf(dccList(dccQuantity("1 2", "\\kilo\\hertz")
+                + testing::dccComplex("3 3", "-4 4", "\\micro\\volt\\pascal\\tothe{-1}",
+                    {"0.01 0.01", "0.002 0", "0.04 0.04"},
+                    "\\micro\\volt\\pascal\\tothe{-1}\\micro\\volt\\pascal\\tothe{-1}"))),
+            "", "V/Pa");
+        QVERIFY(made.has_value());
+        const ReferencePoint one = made->sensitivity.at(1e3).value();
+        QVERIFY(isNear(one.magnitude, 5e-6, 1e-12));
+        QVERIFY(isNear(one.phase_rad, std::atan2(-4.0, 3.0), 1e-12));
+        const double varOfMagnitude = (9 * 0.01 + 2 * 3 * -4 * 0.002 + 16 * 0.04) / 25;
+        const double varOfPhase = (16 * 0.01 - 2 * 3 * -4 * 0.002 + 9 * 0.04) / 625;
+        QVERIFY(isNear(one.u_magnitude, std::sqrt(varOfMagnitude) * 1e-6, 1e-12));
+        QVERIFY(isNear(one.u_phase_rad, std::sqrt(varOfPhase), 1e-12));
+        QVERIFY(isNear(made->sensitivity.at(2e3)->phase_rad, std::atan2(4.0, 3.0), 1e-12));
+    }
+
+    /// A certificate of this program has its response several times: the one with all digits
+    /// counts, with its degrees of freedom.
+    void ownCertificate_givesItsResponseInAllDigits()
+    {
+        using namespace testing;
+        const auto response = [](const std::string &values) {
+            return kFrequencies
+                + dccMarked(
+                    dccQuantity(values, "\\volt\\pascal\\tothe{-1}", "0.2"), "dyncal_magnitude")
+                + dccMarked(dccQuantity("NaN 4 NaN", "\\one"), "dyncal_degreesOfFreedom");
+        };
+        const auto made
+            = readReferenceDcc(dccOf(dccListOf("dyncal_frequencyResponse", response("2 3 4"))
+                                   + dccListOf("dyncal_complexResponse", response("2.1 3.1 4.1"))
+                                   + dccListOf("dyncal_complexResponseAtMarks", response("5 6 7"))),
+                "", "V/Pa");
+        QVERIFY(made.has_value());
+        QVERIFY(isNear(made->sensitivity.at(1e4)->magnitude, 3.1, 1e-12));
+        QCOMPARE(made->sensitivity.at(1e4)->dof, 4.0);
+        QVERIFY(std::isinf(made->sensitivity.at(1e3)->dof));
+    }
+
+    /// Rows that the laboratory withheld (NaN of the D-SI) are left out, and no value is taken
+    /// without its U.
+    void withheldRows_areLeftOut()
+    {
+        const std::string withheld
+            = dccQuantity("0.1 NaN 0.3", "\\volt\\per\\pascal", "0.002 NaN 0.006");
+        const auto made = readReferenceDcc(dccOf(dccList(kFrequencies + withheld)), "", "V/Pa");
+        QVERIFY(made.has_value());
+        QVERIFY(isNear(made->sensitivity.at(1e4)->magnitude, 0.2, 1e-12)); // halfway over log f
+        const std::string noU
+            = dccQuantity("0.1 0.2 0.3", "\\volt\\per\\pascal", "0.002 NaN 0.006");
+        QVERIFY(!readReferenceDcc(dccOf(dccList(kFrequencies + noU)), "", "V/Pa"));
     }
 
     void otherFiles_areRefused()

@@ -34,7 +34,7 @@ EarlierPanel::EarlierPanel(Session &session, Prompts &prompts, InspectorForm &fo
     form.addSection(tr("Earlier result"));
     m_choose->setObjectName("earlierChoose");
     m_choose->setToolTip(tr(
-        "A results.json of an earlier run or certificate: its S(f) is drawn beside this one, and nothing is changed by it"));
+        "A results.json of an earlier run, or a digital calibration certificate (DCC) of any laboratory: its S(f) is drawn beside this one, and nothing is changed by it"));
     m_remove->setObjectName("earlierRemove");
     for (QPushButton *button : {m_choose, m_remove})
         form.addWide(button);
@@ -46,6 +46,9 @@ EarlierPanel::EarlierPanel(Session &session, Prompts &prompts, InspectorForm &fo
 
 QString EarlierPanel::name() const
 {
+    if (m_earlier->serial.empty() && !m_earlier->certificate.empty())
+        return tr("Certificate %1, %2")
+            .arg(shownText(m_earlier->certificate), shownText(dayOfMoment(m_earlier->time)));
     const QString serial = shownText(m_earlier->serial);
     const QString day = shownText(dayOfMoment(m_earlier->time));
     return serial.isEmpty() ? tr("Earlier, %1").arg(day) : tr("Sensor %1, %2").arg(serial, day);
@@ -57,7 +60,7 @@ void EarlierPanel::askForFile()
     const bool isOpen = captures && !captures->inputs.empty();
     const QString beside = isOpen ? rawText(captures->inputs.front().path) : QString();
     const QString path = m_prompts.openFile(m_choose, tr("Earlier result"),
-        tr("Results (*.json);;All files (*)"), QFileInfo(beside).path());
+        tr("Results and certificates (*.json *.xml);;All files (*)"), QFileInfo(beside).path());
     if (path.isEmpty())
         return;
     m_job.start<EarlierResponse>(
@@ -87,8 +90,9 @@ void EarlierPanel::compareWith(const std::vector<ResponseRow> &present, const st
     if (!m_earlier)
         return;
     QString sentence;
+    const bool isInUnit = toUnit(*m_earlier, unit);
     const ResponseAgreement agreement = agreementOf(present, m_earlier->rows);
-    if (unit != m_earlier->unit)
+    if (!isInUnit)
         sentence = tr("%1: in %2, which this result is not; it is not drawn.")
                        .arg(name(), shownText(m_earlier->unit));
     else if (agreement.compared == 0)
@@ -100,8 +104,16 @@ void EarlierPanel::compareWith(const std::vector<ResponseRow> &present, const st
                            QString::number(agreement.compared),
                            shownNumber(std::abs(agreement.largestEn), kDigitsOfEn),
                            shownQuantity(agreement.at_Hz, QStringLiteral("Hz")));
-    m_note->setText(sentence);
+    m_note->setText(sentence + notAssigned());
     m_note->show();
+}
+
+QString EarlierPanel::notAssigned() const
+{
+    QString text;
+    for (const Message &one : m_earlier->notAssigned)
+        text += '\n' + translated(one);
+    return text.isEmpty() ? text : "\n\n" + tr("Not taken from the certificate:") + text;
 }
 
 } // namespace dyncal

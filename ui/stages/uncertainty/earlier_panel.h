@@ -30,7 +30,8 @@ public:
 
     const std::optional<EarlierResponse> &earlier() const { return m_earlier; }
     QString name() const; ///< "Sensor 17, 2025-03-01"
-    /// Says how it agrees with these rows, which are in `unit`.
+    /// Says how it agrees with these rows, which are in `unit`; what differs from it in a prefix
+    /// only is converted.
     void compareWith(const std::vector<ResponseRow> &present, const std::string &unit);
 
 signals:
@@ -40,6 +41,7 @@ private:
     void askForFile();
     void take(Result<EarlierResponse> read);
     void setEarlier(std::optional<EarlierResponse> earlier, const QString &sentence);
+    QString notAssigned() const; ///< what of a certificate was not understood, line by line
 
     Session &m_session;
     Prompts &m_prompts;

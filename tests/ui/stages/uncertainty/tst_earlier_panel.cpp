@@ -3,8 +3,10 @@
 
 // An earlier result laid over S(f), by the controls of the page, over the example's real results.
 
+#include "core/base/number_text.h"
 #include "core/results/results_json.h"
 #include "tests/core/recheck/earlier_results.h"
+#include "tests/support/made_dcc.h"
 #include "tests/support/simulated_example.h"
 #include "tests/support/test_program.h"
 #include "tests/ui/support/page_bench.h"
@@ -12,6 +14,8 @@
 
 #include <QLabel>
 #include <QtTest>
+
+#include <cmath>
 
 using namespace dyncal;
 using Bench = test::PageBench<test::ScriptedPage<UncertaintyPage>>;
@@ -59,6 +63,22 @@ private:
         return testing::put(m_scratch, "earlier.json", root.dump());
     }
 
+    /// The page's own rows times `factor` in the unit, and something that is not understood.
+    std::string certificate(const std::string &unit, double factor) const
+    {
+        const ResponseResult &response = *m_bench->session.resultsOnShow().response;
+        std::string f_Hz, magnitude, U;
+        for (Index row = 0; row < response.magnitude.size(); ++row) {
+            if (!std::isfinite(response.magnitude[row]))
+                continue;
+            f_Hz += exactNumber(response.frequency_Hz[row]) + ' ';
+            magnitude += exactNumber(factor * response.magnitude[row]) + ' ';
+            U += exactNumber(0.02 * factor * response.magnitude[row]) + ' ';
+        }
+        return testing::dccOf(testing::dccList(testing::dccQuantity(f_Hz, "\\hertz")
+            + testing::dccQuantity(magnitude, unit, U) + testing::dccQuantity("1", "\\furlong")));
+    }
+
 private slots:
     void initTestCase()
     {
@@ -96,6 +116,32 @@ private slots:
         layOver(written(1.0, "m/s2"));
         QVERIFY2(note().contains("in m/s2"), qPrintable(note()));
         QVERIFY(!isDrawn("Sensor 4711, 2024-05-06"));
+    }
+
+    /// A certificate in another prefix: drawn in the page's unit; what it has besides is named.
+    void certificate_isDrawn_andItsRestNamed()
+    {
+        const std::string curve = certificate("\\kilo\\volt\\pascal\\tothe{-1}", 1.001e-3);
+        layOver(testing::put(m_scratch, "dcc.xml", curve));
+        QVERIFY2(note().startsWith("Sensor 4711, 2025-03-04: "), qPrintable(note()));
+        QVERIFY(note().contains("rows agree within U"));
+        QVERIFY2(note().contains("Not taken from the certificate:\nLine "), qPrintable(note()));
+        QVERIFY(isDrawn("Sensor 4711, 2025-03-04"));
+    }
+
+    void certificateOfAForceSensor_isNotDrawn()
+    {
+        layOver(
+            testing::put(m_scratch, "force.xml", certificate("\\volt\\newton\\tothe{-1}", 1.0)));
+        QVERIFY2(note().contains("in V/N"), qPrintable(note()));
+        QVERIFY(!isDrawn("Sensor 4711, 2025-03-04"));
+    }
+
+    void damagedCertificate_isSaid()
+    {
+        layOver(testing::put(m_scratch, "cut.xml", "<dcc:digitalCalibrationCertificate>"));
+        QVERIFY2(note().contains("malformed"), qPrintable(note()));
+        QVERIFY(!m_bench->isEnabled("earlierRemove"));
     }
 
     void whatIsNone_isSaid()

@@ -3,7 +3,7 @@
 
 // Units as digital calibration certificates write them.
 
-#include "core/reference/d_si_unit.h"
+#include "core/dcc_reading/d_si_unit.h"
 #include "tests/support/near.h"
 #include "tests/support/test_program.h"
 

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Dyncal authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include "core/reference/d_si_unit.h"
+#include "core/dcc_reading/d_si_unit.h"
 
 #include "core/base/number_text.h"
 
@@ -22,16 +22,29 @@ struct KnownUnit
     double factor;
 };
 
+// SI brochure (9th edition), tables 2, 4 and 8, as the D-SI spells them. A decibel or a neper is no
+// multiple of anything, and stays unknown.
 constexpr std::array kUnits{KnownUnit{"volt", "V", 1.0}, KnownUnit{"ampere", "A", 1.0},
     KnownUnit{"coulomb", "C", 1.0}, KnownUnit{"watt", "W", 1.0}, KnownUnit{"pascal", "Pa", 1.0},
     KnownUnit{"bar", "Pa", 1e5}, KnownUnit{"hertz", "Hz", 1.0}, KnownUnit{"radian", "rad", 1.0},
-    KnownUnit{"degree", "rad", std::numbers::pi / 180.0}, KnownUnit{"one", "", 1.0},
-    KnownUnit{"percent", "", 0.01}};
+    KnownUnit{"degree", "rad", std::numbers::pi / 180.0},
+    KnownUnit{"arcminute", "rad", std::numbers::pi / 10800.0},
+    KnownUnit{"arcsecond", "rad", std::numbers::pi / 648000.0}, KnownUnit{"one", "", 1.0},
+    KnownUnit{"percent", "", 0.01}, KnownUnit{"ppm", "", 1e-6}, KnownUnit{"metre", "m", 1.0},
+    KnownUnit{"second", "s", 1.0}, KnownUnit{"minute", "s", 60.0}, KnownUnit{"hour", "s", 3600.0},
+    KnownUnit{"day", "s", 86400.0}, KnownUnit{"kilogram", "kg", 1.0}, KnownUnit{"gram", "kg", 1e-3},
+    KnownUnit{"tonne", "kg", 1e3}, KnownUnit{"newton", "N", 1.0}, KnownUnit{"joule", "J", 1.0},
+    KnownUnit{"kelvin", "K", 1.0}, KnownUnit{"ohm", "ohm", 1.0}, KnownUnit{"siemens", "S", 1.0},
+    KnownUnit{"farad", "F", 1.0}, KnownUnit{"henry", "H", 1.0}, KnownUnit{"tesla", "T", 1.0},
+    KnownUnit{"weber", "Wb", 1.0}, KnownUnit{"mole", "mol", 1.0}, KnownUnit{"candela", "cd", 1.0},
+    KnownUnit{"steradian", "sr", 1.0}};
 
-constexpr std::array kPrefixes{std::pair{"tera", 12}, std::pair{"giga", 9}, std::pair{"mega", 6},
+constexpr std::array kPrefixes{std::pair{"yotta", 24}, std::pair{"zetta", 21}, std::pair{"exa", 18},
+    std::pair{"peta", 15}, std::pair{"tera", 12}, std::pair{"giga", 9}, std::pair{"mega", 6},
     std::pair{"kilo", 3}, std::pair{"hecto", 2}, std::pair{"deca", 1}, std::pair{"deci", -1},
     std::pair{"centi", -2}, std::pair{"milli", -3}, std::pair{"micro", -6}, std::pair{"nano", -9},
-    std::pair{"pico", -12}, std::pair{"femto", -15}};
+    std::pair{"pico", -12}, std::pair{"femto", -15}, std::pair{"atto", -18},
+    std::pair{"zepto", -21}, std::pair{"yocto", -24}};
 
 /// The words behind the backslashes; nothing where the text has anything else.
 std::vector<std::string_view> wordsOfUnit(std::string_view text)
@@ -127,7 +140,64 @@ private:
     int m_sign = 1, m_signOfLast = 1;
 };
 
+/// "pC": C and 10^-12.
+struct PrefixedUnit
+{
+    std::string symbol; ///< "" = a number
+    int ten = 0;
+};
+
+bool isKnownSymbol(std::string_view text)
+{
+    return std::ranges::any_of(
+        kUnits, [&](const KnownUnit &unit) { return unit.factor == 1.0 && text == unit.symbol; });
+}
+
+std::optional<PrefixedUnit> prefixedUnit(std::string_view text)
+{
+    constexpr std::array kLetters{std::pair{"G", 9}, std::pair{"M", 6}, std::pair{"k", 3},
+        std::pair{"m", -3}, std::pair{"\xC2\xB5", -6}, std::pair{"u", -6}, std::pair{"n", -9},
+        std::pair{"p", -12}};
+    if (text == "1")
+        return PrefixedUnit{};
+    if (!text.empty() && isKnownSymbol(text))
+        return PrefixedUnit{std::string(text), 0};
+    for (const auto &[letter, ten] : kLetters) {
+        const std::string_view rest = text.starts_with(letter)
+            ? text.substr(std::string_view(letter).size())
+            : std::string_view();
+        if (!rest.empty() && isKnownSymbol(rest))
+            return PrefixedUnit{std::string(rest), ten};
+    }
+    return std::nullopt;
+}
+
 } // namespace
+
+int DSiUnit::powerOf(const std::string &symbol) const
+{
+    const auto found = powers.find(symbol);
+    return found == powers.end() ? 0 : found->second;
+}
+
+bool DSiUnit::isOf(const std::string &symbol) const
+{
+    return powers.size() == 1 && powerOf(symbol) == 1;
+}
+
+bool DSiUnit::isSensitivity() const
+{
+    const bool isPerAcceleration = powerOf("m") == -1 && powerOf("s") == 2;
+    const int inputs = (powerOf("Pa") == -1 ? 1 : 0) + (powerOf("N") == -1 ? 1 : 0)
+        + (isPerAcceleration ? 1 : 0);
+    const std::size_t below = isPerAcceleration ? 2 : 1;
+    const auto isOutput = [](const auto &power) {
+        return power.second == 1
+            && (power.first == "V" || power.first == "A" || power.first == "C");
+    };
+    const auto outputs = static_cast<std::size_t>(std::ranges::count_if(powers, isOutput));
+    return inputs == 1 && outputs <= 1 && powers.size() == below + outputs;
+}
 
 std::string DSiUnit::symbol() const
 {
@@ -150,6 +220,32 @@ std::optional<DSiUnit> parseDSiUnit(std::string_view text)
         if (!reader.take(word))
             return std::nullopt;
     return reader.finish();
+}
+
+std::optional<DSiUnit> unitOfSymbol(std::string_view text)
+{
+    DSiUnit unit;
+    int power = 1;
+    for (std::size_t at = 0; at <= text.size(); power = -1) {
+        const std::size_t end = std::min(text.find('/', at), text.size());
+        const std::optional<PrefixedUnit> one = prefixedUnit(text.substr(at, end - at));
+        if (!one)
+            return std::nullopt;
+        unit.factor *= std::pow(10.0, power * one->ten);
+        if (!one->symbol.empty())
+            unit.powers[one->symbol] += power;
+        at = end + 1;
+    }
+    std::erase_if(unit.powers, [](const auto &raised) { return raised.second == 0; });
+    return unit;
+}
+
+std::optional<double> unitRatio(std::string_view from, std::string_view to)
+{
+    const std::optional<DSiUnit> first = unitOfSymbol(from), second = unitOfSymbol(to);
+    if (!first || !second || first->powers != second->powers)
+        return std::nullopt;
+    return first->factor / second->factor;
 }
 
 } // namespace dyncal

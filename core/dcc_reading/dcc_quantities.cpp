@@ -1,0 +1,113 @@
+// SPDX-FileCopyrightText: 2026 The Dyncal authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "core/dcc_reading/dcc_quantities.h"
+
+#include "core/dcc_reading/d_si_numbers.h"
+#include "core/dcc_reading/dcc_words_read.h"
+
+namespace dyncal {
+namespace {
+
+/// What holds the values; null where there are words only.
+const ParsedElement *valuesIn(const ParsedElement &quantity)
+{
+    const ParsedElement *words = nullptr;
+    for (const ParsedElement &child : quantity.children) {
+        if (isDSiElement(child) || child.name == "list")
+            return &child;
+        if (child.name == "noQuantity" || child.name == "charsXMLList")
+            words = &child;
+    }
+    return words ? nullptr : &quantity;
+}
+
+Result<StatedQuantity> quantityOf(const ParsedElement &element, const ParsedElement &values)
+{
+    Result<DSiQuantity> stated = readDSiQuantity(values);
+    if (!stated)
+        return tl::unexpected<Error>(stated.error());
+    return StatedQuantity{element.attribute("id"), wordsOfText(element.child("name")),
+        wordsOfAttribute(element, "refType"), element.line, std::move(*stated)};
+}
+
+/// The schema does not say whether it is a standard or an expanded one, nor with which k.
+Message unknownFactor(const ParsedElement &relative)
+{
+    return notUnderstood(relative,
+        DYNCAL_TEXT("core",
+            "Line %1, %2: a relative uncertainty has no coverage factor, so it is not taken; the values beside it are read without uncertainty."))
+        .value()
+        .message;
+}
+
+/// The quantity goes to the others, or the reason to the reasons.
+void read(const ParsedElement &element, std::vector<StatedQuantity> &quantities,
+    std::vector<Message> &reasons)
+{
+    const ParsedElement *values = valuesIn(element);
+    if (!values)
+        return;
+    Result<StatedQuantity> quantity = quantityOf(element, *values);
+    if (!quantity)
+        return reasons.push_back(std::move(quantity.error().message));
+    const ParsedElement *relative = element.child("relativeUncertainty");
+    if (relative && quantity->stated.values.u.empty())
+        reasons.push_back(unknownFactor(*relative));
+    quantities.push_back(std::move(*quantity));
+}
+
+std::vector<std::string> entriesOf(const ParsedElement &words)
+{
+    std::vector<std::string> entries;
+    for (const ParsedElement *content : words.all("content"))
+        if (const std::string language = content->attribute("lang");
+            language.empty() || language == "en")
+            entries.push_back(content->text);
+    return entries;
+}
+
+/// What a list has from the result or the list that it stands in, where it says nothing itself.
+struct Surrounding
+{
+    std::string name;
+    std::vector<std::string> refTypes;
+};
+
+void readList(const ParsedElement &list, const Surrounding &around, DccContents &contents)
+{
+    StatedTable table{list.attribute("id"), wordsOfText(list.child("name")),
+        wordsOfAttribute(list, "refType"), list.line};
+    if (table.name.empty())
+        table.name = around.name;
+    if (table.refTypes.empty())
+        table.refTypes = around.refTypes;
+    for (const ParsedElement *quantity : list.all("quantity")) {
+        read(*quantity, table.columns, table.notUnderstood);
+        if (const ParsedElement *words = quantity->child("noQuantity"))
+            table.words.push_back({wordsOfAttribute(*quantity, "refType"), entriesOf(*words)});
+    }
+    const Surrounding inside{table.name, table.refTypes};
+    contents.tables.push_back(std::move(table));
+    for (const ParsedElement *inner : list.all("list")) // no deeper than kDeepestXml
+        readList(*inner, inside, contents);
+}
+
+} // namespace
+
+void readResult(const ParsedElement &result, DccContents &contents)
+{
+    const ParsedElement *data = result.child("data");
+    if (!data)
+        return;
+    const Surrounding around{
+        wordsOfText(result.child("name")), wordsOfAttribute(result, "refType")};
+    for (const ParsedElement &child : data->children) {
+        if (child.name == "list")
+            readList(child, around, contents);
+        else if (child.name == "quantity")
+            read(child, contents.single, contents.notUnderstood);
+    }
+}
+
+} // namespace dyncal

@@ -1,0 +1,45 @@
+// SPDX-FileCopyrightText: 2026 The Dyncal authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#pragma once
+
+#include "core/base/index.h"
+#include "core/base/result.h"
+
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+namespace dyncal {
+
+/// An element of an XML document, as a value.
+struct ParsedElement
+{
+    std::string name; ///< without the prefix of its namespace, which every writer chooses
+    std::string text; ///< all of its own text, blanks at both ends left out
+    Index line = 0; ///< of the file, from 1
+    std::vector<std::pair<std::string, std::string>> attributes = {}; ///< names without prefix
+    std::vector<ParsedElement> children = {};
+
+    std::string attribute(std::string_view named) const; ///< "" where there is none
+    const ParsedElement *child(
+        std::string_view named) const; ///< the first; null where there is none
+    std::vector<const ParsedElement *> all(std::string_view named) const; ///< children, not below
+    /// The first child of the first child ... ; null where one of them is missing.
+    const ParsedElement *at(const std::vector<std::string_view> &path) const;
+    std::string textAt(const std::vector<std::string_view> &path) const; ///< "" where it is missing
+};
+
+// What an XML file may ask of this program. A certificate with plots inside has a few MiB and some
+// ten thousand elements; what goes beyond is no certificate but an attack or an accident.
+inline constexpr std::size_t kMostXmlBytes = std::size_t(16) << 20U;
+inline constexpr std::size_t kMostXmlElements = 500000;
+inline constexpr int kDeepestXml = 100;
+
+/// Reads a document in UTF-8, UTF-16 or, where it says so, Latin-1. Nothing is fetched and nothing
+/// expanded: a document type, which alone can declare entities, is refused. Fails (FileUnreadable)
+/// on that, on malformed XML, and beyond the limits above, in time and memory linear in the bytes.
+Result<ParsedElement> readXml(std::string_view bytes);
+
+} // namespace dyncal

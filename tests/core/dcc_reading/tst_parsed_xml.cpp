@@ -1,0 +1,114 @@
+// SPDX-FileCopyrightText: 2026 The Dyncal authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// An XML document as values, and what is refused before anything is made of it.
+
+#include "core/dcc_reading/parsed_xml.h"
+#include "tests/support/test_program.h"
+
+#include <QTest>
+
+#include <string>
+
+using namespace dyncal;
+
+namespace {
+
+std::string faultOf(const std::string &bytes)
+{
+    const Result<ParsedElement> root = readXml(bytes);
+    return root ? std::string() : english(root.error().message);
+}
+
+/// ASCII as UTF-16.
+std::string wide(const std::string &text, bool bigEndian)
+{
+    std::string bytes = bigEndian ? "\xFE\xFF" : "\xFF\xFE";
+    for (const char c : text)
+        bytes += bigEndian ? std::string{'\0', c} : std::string{c, '\0'};
+    return bytes;
+}
+
+} // namespace
+
+class TestParsedXml : public QObject
+{
+    Q_OBJECT
+
+private slots:
+    void elements_haveNameTextLineAndAttributes()
+    {
+        const auto root
+            = readXml("<?xml version=\"1.0\"?>\n<p:a xmlns:p=\"n\" id=\"x\">\n  <q:b>1 2"
+                      "<!-- and -->\n 3 </q:b><b/>\n</p:a>\n");
+        QVERIFY(root.has_value());
+        QCOMPARE(root->name, std::string("a"));
+        QCOMPARE(root->line, Index(2));
+        QCOMPARE(root->attribute("id"), std::string("x"));
+        QCOMPARE(root->attribute("none"), std::string());
+        QCOMPARE(root->all("b").size(), std::size_t(2));
+        QCOMPARE(root->child("b")->text, std::string("1 2\n 3")); // around the comment
+        QCOMPARE(root->child("b")->line, Index(3));
+        QCOMPARE(root->all("b")[1]->line, Index(4));
+    }
+
+    void paths_endWhereSomethingIsMissing()
+    {
+        const auto root = readXml("<a><b><c>7</c></b></a>");
+        QCOMPARE(root->textAt({"b", "c"}), std::string("7"));
+        QVERIFY(!root->at({"b", "d"}) && !root->at({"x", "c"}));
+        QCOMPARE(root->textAt({"x", "c"}), std::string());
+    }
+
+    void encodings_areKnown()
+    {
+        const std::string text = "<a>7</a>";
+        for (const bool bigEndian : {true, false})
+            QCOMPARE(readXml(wide(text, bigEndian))->text, std::string("7"));
+        QCOMPARE(readXml("\xEF\xBB\xBF<a>\xC3\xA5</a>")->text, std::string("\xC3\xA5"));
+        QCOMPARE(readXml("<?xml version=\"1.0\" encoding=\"ISO-8859-1\"?><a>\xE5</a>")->text,
+            std::string("\xC3\xA5"));
+        QVERIFY(faultOf("<a>\xE5</a>").find("UTF-8") != std::string::npos);
+    }
+
+    void malformedOnes_areRefused_withTheirLine()
+    {
+        QVERIFY(faultOf("<a>\n<b>\n</a>").find("Line 3") != std::string::npos);
+        for (const char *text :
+            {"", "text", "<a>", "<a></b>", "<a/><b/>", "<a b=c/>", "<a><!-- </a>"})
+            QVERIFY2(!faultOf(text).empty(), text);
+    }
+
+    /// External files, growing entities: both need a document type.
+    void documentTypes_areRefused()
+    {
+        for (const char *text : {"<!DOCTYPE a><a/>", "<!DOCTYPE a SYSTEM 'http://x/y.dtd'><a/>",
+                 "<!DOCTYPE a [<!ENTITY e SYSTEM 'file:///etc/passwd'>]><a>&e;</a>"})
+            QVERIFY2(faultOf(text).find("DOCTYPE") != std::string::npos, text);
+        QCOMPARE(readXml("<a>&e;&lt;</a>")->text, std::string("&e;<")); // nobody declares it
+    }
+
+    void limits_areHeld()
+    {
+        const auto nested = [](int depth) {
+            std::string text;
+            for (int i = 0; i < depth; ++i)
+                text += "<a>";
+            for (int i = 0; i < depth; ++i)
+                text += "</a>";
+            return text;
+        };
+        QVERIFY(faultOf(nested(kDeepestXml - 1)).empty());
+        QVERIFY(faultOf(nested(kDeepestXml + 2)).find("nested") != std::string::npos);
+        QVERIFY(faultOf(nested(400000)).find("nested") != std::string::npos);
+        std::string many = "<a>";
+        for (std::size_t i = 0; i <= 2 * kMostXmlElements; ++i)
+            many += "<b/>";
+        QVERIFY(faultOf(many + "</a>").find("tags") != std::string::npos);
+        QVERIFY(faultOf("<a>" + std::string(kMostXmlBytes, ' ') + "</a>").find("bytes")
+            != std::string::npos);
+    }
+};
+
+DYNCAL_TEST(TestParsedXml)
+#include "tst_parsed_xml.moc"
