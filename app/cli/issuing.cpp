@@ -8,6 +8,7 @@
 
 #include "core/base/content_hash.h"
 #include "core/capture/capture_seal.h"
+#include "core/certificate/certificate_attachments.h"
 #include "core/certificate/certificate_issue.h"
 #include "core/reference/reference_source.h"
 #include "core/results/results_json.h"
@@ -79,7 +80,8 @@ Result<Files> filesOf(const ProjectState &job, const PipelineOutcome &outcome,
         keepSource(recipe.comparison, files);
     files.merge(keptTemplateFiles(chosen));
     const CertificateIssue issue{number, certificateNumber(record.amends), record.reason,
-        record.head, sha256Hex(std::string_view(files["results.json"]))};
+        record.head, sha256Hex(std::string_view(files["results.json"])),
+        certificateAttachments(files)};
     Result<std::vector<DrawnFile>> drawn
         = drawWithoutWindow(outcome.results, recipe, record.reservedUtc, chosen, issue);
     if (!drawn)

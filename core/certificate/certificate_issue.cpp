@@ -58,6 +58,7 @@ void markIssued(const CertificateIssue &issue, CertificateData &data)
     data.number = issue.number;
     data.marks = {{"number", issue.number}, {"amends", issue.amends}, {"head", issue.head},
         {"results", issue.resultsSha256}};
+    data.attachments = issue.attachments;
     if (!issue.amends.empty() && !data.sections.empty())
         data.sections.front().fields.push_back(replacedField(issue));
     stateTraceability(data);

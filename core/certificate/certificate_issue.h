@@ -17,6 +17,7 @@ struct CertificateIssue
     std::string reason = {}; ///< of the amendment: what changed
     std::string head = {}; ///< SHA-256 of the last entry of the audit trail before issuing
     std::string resultsSha256 = {}; ///< of results.json beside it
+    std::vector<CertificateAttachment> attachments = {}; ///< inside its PDF
 };
 
 /// Makes the certificate an issued one: number, state, what it replaces, and what it is bound to.

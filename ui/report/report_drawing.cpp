@@ -52,7 +52,7 @@ struct ReportDrawing::Private
     std::unique_ptr<CertificatePdf> certificate;
     std::vector<DrawnFile> drawn;
     std::size_t steps = 0;
-    bool failed = false;
+    std::optional<Error> problem;
 
     Private(const CalibrationResults &shown, const Recipe &recipe, const std::string &createdUtc,
         const ChosenTemplate &chosen, const std::optional<CertificateIssue> &issue)
@@ -66,7 +66,7 @@ struct ReportDrawing::Private
     bool isDone() const
     {
         const std::size_t documents = plots ? figures.size() + 1 : 1;
-        return failed || (steps >= makers.size() && drawn.size() >= documents);
+        return problem || (steps >= makers.size() && drawn.size() >= documents);
     }
 
     std::size_t stepCount() const
@@ -98,9 +98,11 @@ struct ReportDrawing::Private
 
     void finishCertificate()
     {
-        const QByteArray pdf = certificate->take();
-        failed = pdf.isEmpty();
-        drawn.push_back({"certificate.pdf", pdf.toStdString()});
+        Result<std::string> pdf = certificate->take();
+        if (pdf)
+            drawn.push_back({"certificate.pdf", std::move(*pdf)});
+        else
+            problem = pdf.error();
     }
 
     void drawPlot(std::size_t index)
@@ -109,7 +111,8 @@ struct ReportDrawing::Private
             std::make_shared<const PlotContent>(figures[index].content), {}, {}, {}};
         QBuffer svg;
         svg.open(QIODevice::WriteOnly);
-        failed = !writePicture(picture, kPlotSize, "svg", svg);
+        if (!writePicture(picture, kPlotSize, "svg", svg))
+            problem = nothingToDrawOn();
         drawn.push_back({plotName(index + 1, figures[index].id), svg.data().toStdString()});
     }
 };
@@ -120,7 +123,8 @@ ReportDrawing::ReportDrawing(const CalibrationResults &results, const Recipe &re
     : d(std::make_unique<Private>(results, recipe, createdUtc, chosen, issue))
 {
     d->plots = parts == ReportParts::CertificateAndPlots;
-    d->failed = !qobject_cast<QApplication *>(QCoreApplication::instance());
+    if (!qobject_cast<QApplication *>(QCoreApplication::instance()))
+        d->problem = nothingToDrawOn();
 }
 
 ReportDrawing::~ReportDrawing() = default;
@@ -151,11 +155,8 @@ void ReportDrawing::draw(std::chrono::milliseconds budget)
 
 Result<std::vector<DrawnFile>> ReportDrawing::take()
 {
-    if (d->failed)
-        return fail(ErrorKind::Internal,
-            {DYNCAL_TEXT("core",
-                 "The certificate and the plots cannot be drawn: the program found nothing to draw on; start it anew."),
-                {}});
+    if (d->problem)
+        return tl::unexpected<Error>(*d->problem);
     return std::move(d->drawn);
 }
 
