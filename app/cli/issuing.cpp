@@ -9,6 +9,7 @@
 
 #include "core/base/content_hash.h"
 #include "core/capture/capture_seal.h"
+#include "core/certificate/certificate_attachments.h"
 #include "core/certificate/certificate_issue.h"
 #include "core/history/history_files.h"
 #include "core/history/history_section.h"
@@ -16,6 +17,7 @@
 #include "core/results/results_json.h"
 #include "registry/issued/folder_check.h"
 #include "registry/issued/issued_files.h"
+#include "ui/report/certificate_dcc.h"
 #include "ui/report/history_figures.h"
 #include "ui/session/project_file.h"
 
@@ -105,9 +107,13 @@ Result<Files> filesOf(const ProjectState &job, const PipelineOutcome &outcome,
     Result<StatedHistory> history = historyFor(chosen, order, record, files);
     if (!history)
         return tl::unexpected<Error>(history.error());
-    const CertificateIssue issue{number, certificateNumber(record.amends), record.reason,
-        record.head, sha256Hex(std::string_view(files["results.json"])),
-        std::move(history->section)};
+    CertificateIssue issue{number, certificateNumber(record.amends), record.reason, record.head,
+        sha256Hex(std::string_view(files["results.json"])), {}, std::move(history->section)};
+    if (outcome.results.response)
+        files[kDccFile] = certificateDcc(
+            certificateOf(outcome.results, recipe, record.reservedUtc, chosen, issue),
+            outcome.results, recipe, issue);
+    issue.attachments = certificateAttachments(files);
     Result<std::vector<DrawnFile>> drawn = drawWithoutWindow(
         outcome.results, recipe, record.reservedUtc, chosen, issue, history->figures);
     if (!drawn)

@@ -59,6 +59,16 @@ struct CertificateLogo
     bool isSvg = false; ///< else PNG
 };
 
+/// A file inside the PDF of an issued certificate (core/pdf/pdf_archive.h).
+struct CertificateAttachment
+{
+    std::string name;
+    std::string mime;
+    std::string relationship; ///< to the pages, one of kPdfRelationships
+    Message description;
+    std::string bytes;
+};
+
 /// A certificate as words and rounded numbers, ready for typesetting: no layout, no floating point.
 struct CertificateData
 {
@@ -73,6 +83,7 @@ struct CertificateData
     /// By which an issued one is held against its files: name and value, in the file's metadata.
     std::vector<std::pair<std::string, std::string>> marks = {};
     CertificateLogo logo = {};
+    std::vector<CertificateAttachment> attachments = {}; ///< of an issued one
 
     /// Labels of all fields that are missing, in order.
     std::vector<Message> missingFields() const;

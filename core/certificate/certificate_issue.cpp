@@ -59,6 +59,7 @@ void markIssued(const CertificateIssue &issue, CertificateData &data)
     data.number = issue.number;
     data.marks = {{"number", issue.number}, {"amends", issue.amends}, {"head", issue.head},
         {"results", issue.resultsSha256}};
+    data.attachments = issue.attachments;
     if (!issue.amends.empty() && !data.sections.empty())
         data.sections.front().fields.push_back(replacedField(issue));
     stateTraceability(data);
@@ -67,6 +68,16 @@ void markIssued(const CertificateIssue &issue, CertificateData &data)
         *history = *issue.history;
     const auto records = std::ranges::find(data.sections, "records", &CertificateSection::id);
     data.sections.insert(records, issueSection(issue));
+}
+
+CertificateData certificateOf(const CalibrationResults &results, const Recipe &recipe,
+    const std::string &createdUtc, const ChosenTemplate &chosen,
+    const std::optional<CertificateIssue> &issue)
+{
+    CertificateData data = makeCertificate(results, recipe, createdUtc, chosen);
+    if (issue)
+        markIssued(*issue, data);
+    return data;
 }
 
 } // namespace dyncal

@@ -3,6 +3,7 @@
 
 #pragma once
 
+#include "core/certificate/certificate.h"
 #include "core/certificate/certificate_data.h"
 
 #include <optional>
@@ -18,11 +19,17 @@ struct CertificateIssue
     std::string reason = {}; ///< of the amendment: what changed
     std::string head = {}; ///< SHA-256 of the last entry of the audit trail before issuing
     std::string resultsSha256 = {}; ///< of results.json beside it
+    std::vector<CertificateAttachment> attachments = {}; ///< inside its PDF
     /// For that of the template (certificate_history.h), where it has one.
     std::optional<CertificateSection> history = {};
 };
 
 /// Makes the certificate an issued one: number, state, what it replaces, and what it is bound to.
 void markIssued(const CertificateIssue &issue, CertificateData &data);
+
+/// makeCertificate(), marked where it is issued.
+CertificateData certificateOf(const CalibrationResults &results, const Recipe &recipe,
+    const std::string &createdUtc, const ChosenTemplate &chosen,
+    const std::optional<CertificateIssue> &issue);
 
 } // namespace dyncal

@@ -5,6 +5,7 @@
 
 #include "core/base/content_hash.h"
 #include "core/base/writing/written_list.h"
+#include "registry/issued/archive_check.h"
 #include "registry/store/trail_table.h"
 #include "registry/trail/audit_file.h"
 
@@ -190,7 +191,7 @@ Difference checkDocuments(const Contents &contents)
     return compareDocuments(documents, contents.manifest);
 }
 
-/// Value of a mark in the PDF's metadata (ui/report/pdf_marks.h); empty without it.
+/// Value of a mark in the PDF's metadata (xmpOf, core/pdf); empty without it.
 std::string markIn(const std::string &pdf, const std::string &name)
 {
     const std::string open = "<dyncal:" + name + ">", close = "</dyncal:" + name + ">";
@@ -210,7 +211,7 @@ Difference checkPdf(const Contents &contents)
         return doesNotFit(kIssuedPdf, kAuditFile, "the audit trail");
     if (markIn(pdf, "results") != manifest.files.at("results.json"))
         return doesNotFit(kIssuedPdf, "results.json", "the results");
-    return {};
+    return checkPdfArchive(pdf, contents.files);
 }
 
 Difference checkItself(const Contents &contents, FolderCheck &check)

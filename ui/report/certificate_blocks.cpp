@@ -80,6 +80,7 @@ public:
     FlowBlock heading(const QString &words) const
     {
         FlowBlock block = text(words, m_style.heading, m_style.text, 16.0);
+        block.bookmark = words;
         const double textHeight = block.height;
         block.height += 4.0;
         block.keepWithNext = true;
@@ -288,6 +289,7 @@ std::vector<FlowBlock> certificateBlocks(const CertificateData &data,
     blocks.push_back(data.logo.bytes.empty()
             ? make.text(words(data.title), style.title, style.text, 0.0)
             : make.titleWithLogo(words(data.title), ReportLogo(data.logo)));
+    blocks.back().bookmark = words(data.title);
     addMissing(data, style, words, make, blocks);
     int figureNumber = 0;
     for (const CertificateSection &section : data.sections) {

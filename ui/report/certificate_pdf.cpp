@@ -4,8 +4,7 @@
 #include "ui/report/certificate_pdf.h"
 
 #include "ui/report/certificate_blocks.h"
-#include "ui/report/pdf_bytes.h"
-#include "ui/report/pdf_marks.h"
+#include "ui/report/document_archive.h"
 #include "ui/text/core_text.h"
 #include "ui/text/shown_text.h"
 
@@ -66,6 +65,7 @@ public:
     }
 
     const CertificateStyle &style() const { return m_style; }
+    const QRectF &page() const { return m_page; }
     QRectF textArea() const
     {
         return m_page.adjusted(
@@ -125,15 +125,11 @@ private:
     CertificateStyle m_style;
 };
 
-void setUp(QPdfWriter &writer, const CertificateData &data)
+void setUp(QPdfWriter &writer)
 {
     writer.setResolution(kPageDpi);
     writer.setPageSize(QPageSize(QPageSize::A4));
     writer.setPageMargins(QMarginsF(0.0, 0.0, 0.0, 0.0));
-    writer.setTitle(printed(data.title) + QLatin1Char(' ') + shownText(data.number));
-    writer.setCreator(QStringLiteral("Dyncal"));
-    if (!data.marks.empty())
-        writer.setDocumentXmpMetadata(metadataOf(data.marks));
 }
 
 } // namespace
@@ -149,7 +145,7 @@ struct CertificatePdf::Private
     QPainter painter;
     std::size_t next = 0;
     int page = -1;
-    QString createdUtc;
+    PdfArchive archive;
 
     ~Private()
     {
@@ -162,14 +158,16 @@ CertificatePdf::CertificatePdf(
     const CertificateData &data, const std::vector<ReportFigure> &figures)
     : d(std::make_unique<Private>())
 {
-    d->createdUtc = rawText(data.createdUtc);
     d->buffer.open(QIODevice::WriteOnly);
     d->writer = std::make_unique<QPdfWriter>(&d->buffer);
-    setUp(*d->writer, data);
+    setUp(*d->writer);
     d->pages = std::make_unique<PagePainter>(*d->writer, data);
     const QRectF area = d->pages->textArea();
     d->blocks = certificateBlocks(data, figures, d->pages->style(), area.width(), d->writer.get());
     d->placed = placeBlocks(d->blocks, area.height());
+    d->archive = documentArchive(data);
+    d->archive.bookmarks
+        = documentBookmarks(d->blocks, d->placed, d->pages->page(), area, kPageDpi);
     if (d->painter.begin(d->writer.get()))
         d->painter.setRenderHint(QPainter::Antialiasing);
     else
@@ -199,12 +197,21 @@ void CertificatePdf::drawNext()
     d->pages->paintBlock(d->painter, d->blocks[place.block], place.top, place.withHeader);
 }
 
-QByteArray CertificatePdf::take()
+Error nothingToDrawOn()
+{
+    return {ErrorKind::Internal,
+        {DYNCAL_TEXT("core",
+             "The document cannot be drawn: the program found nothing to draw on; start it anew."),
+            {}},
+        {}};
+}
+
+Result<std::string> CertificatePdf::take()
 {
     if (!d->painter.isActive() || !d->painter.end())
-        return {};
+        return tl::unexpected<Error>(nothingToDrawOn());
     d->writer.reset(); // writes the end of the document
-    return withFixedDates(d->bytes, d->createdUtc);
+    return withArchiveStructure(d->bytes.toStdString(), d->archive);
 }
 
 } // namespace dyncal

@@ -12,7 +12,7 @@
 namespace dyncal {
 namespace {
 
-QByteArray drawnPages(const CertificateData &data)
+Result<std::string> drawnPages(const CertificateData &data)
 {
     ReportLanguage language(data.language);
     const ReproducibleOutput reproducible(language.numbers());
@@ -27,15 +27,9 @@ QByteArray drawnPages(const CertificateData &data)
 
 Result<std::string> documentPdf(const CertificateData &data)
 {
-    QByteArray bytes;
-    if (qobject_cast<QApplication *>(QCoreApplication::instance()))
-        bytes = drawnPages(data);
-    if (bytes.isEmpty())
-        return fail(ErrorKind::Internal,
-            {DYNCAL_TEXT("core",
-                 "The document cannot be drawn: the program found nothing to draw on; start it anew."),
-                {}});
-    return bytes.toStdString();
+    if (!qobject_cast<QApplication *>(QCoreApplication::instance()))
+        return tl::unexpected<Error>(nothingToDrawOn());
+    return drawnPages(data);
 }
 
 } // namespace dyncal

@@ -6,6 +6,7 @@
 #include <QFont>
 #include <QPainter>
 #include <QRectF>
+#include <QString>
 
 #include <functional>
 #include <memory>
@@ -22,6 +23,7 @@ struct FlowBlock
     std::function<void(QPainter &, const QRectF &)> paint;
     /// Drawn above the block when it is the first on a page: a table's heading.
     std::shared_ptr<const FlowBlock> repeatedHeader;
+    QString bookmark; ///< its line in the document's list of contents; empty: none
 };
 
 /// Where one block stands; the header stands above it.

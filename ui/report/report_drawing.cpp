@@ -3,7 +3,7 @@
 
 #include "ui/report/report_drawing.h"
 
-#include "core/certificate/certificate.h"
+#include "core/certificate/certificate_issue.h"
 #include "core/dcc/dcc_document.h"
 #include "ui/plot/widget/plot_export.h"
 #include "ui/report/certificate_dcc.h"
@@ -31,16 +31,6 @@ std::string plotName(std::size_t number, const std::string &id)
     return (number < 10 ? "plots/0" : "plots/") + std::to_string(number) + "-" + id + ".svg";
 }
 
-CertificateData certificateOf(const CalibrationResults &results, const Recipe &recipe,
-    const std::string &createdUtc, const ChosenTemplate &chosen,
-    const std::optional<CertificateIssue> &issue)
-{
-    CertificateData data = makeCertificate(results, recipe, createdUtc, chosen);
-    if (issue)
-        markIssued(*issue, data);
-    return data;
-}
-
 } // namespace
 
 struct ReportDrawing::Private
@@ -56,7 +46,7 @@ struct ReportDrawing::Private
     std::unique_ptr<CertificatePdf> certificate;
     std::vector<DrawnFile> drawn;
     std::size_t steps = 0;
-    bool failed = false;
+    std::optional<Error> problem;
 
     Private(const CalibrationResults &shown, const Recipe &asked, const std::string &createdUtc,
         const ChosenTemplate &chosen, const std::optional<CertificateIssue> &issued)
@@ -72,7 +62,7 @@ struct ReportDrawing::Private
     bool isDone() const
     {
         const std::size_t documents = plots ? figures.size() + 1 : 1;
-        return failed || (steps >= makers.size() && drawn.size() >= documents);
+        return problem || (steps >= makers.size() && drawn.size() >= documents);
     }
 
     std::size_t stepCount() const
@@ -104,15 +94,18 @@ struct ReportDrawing::Private
 
     void finishCertificate()
     {
-        const QByteArray pdf = certificate->take();
-        failed = pdf.isEmpty();
-        drawn.push_back({"certificate.pdf", pdf.toStdString()});
+        Result<std::string> pdf = certificate->take();
+        if (pdf)
+            drawn.push_back({"certificate.pdf", std::move(*pdf)});
+        else
+            problem = pdf.error();
     }
 
-    /// Behind the certificate that it belongs to.
+    /// A draft's, behind the certificate that it belongs to; an issued one is signed before it is
+    /// embedded (issuing).
     void addDcc()
     {
-        if (results.response && !drawn.empty())
+        if (results.response && !issue && !drawn.empty())
             drawn.insert(
                 drawn.begin() + 1, {kDccFile, certificateDcc(data, results, recipe, issue)});
     }
@@ -123,7 +116,8 @@ struct ReportDrawing::Private
             std::make_shared<const PlotContent>(figures[index].content), {}, {}, {}};
         QBuffer svg;
         svg.open(QIODevice::WriteOnly);
-        failed = !writePicture(picture, kPlotSize, "svg", svg);
+        if (!writePicture(picture, kPlotSize, "svg", svg))
+            problem = nothingToDrawOn();
         drawn.push_back({plotName(index + 1, figures[index].id), svg.data().toStdString()});
     }
 };
@@ -135,7 +129,8 @@ ReportDrawing::ReportDrawing(const CalibrationResults &results, const Recipe &re
 {
     d->makers.insert(d->makers.end(), moreFigures.begin(), moreFigures.end());
     d->plots = parts == ReportParts::CertificateAndPlots;
-    d->failed = !qobject_cast<QApplication *>(QCoreApplication::instance());
+    if (!qobject_cast<QApplication *>(QCoreApplication::instance()))
+        d->problem = nothingToDrawOn();
 }
 
 ReportDrawing::~ReportDrawing() = default;
@@ -166,11 +161,8 @@ void ReportDrawing::draw(std::chrono::milliseconds budget)
 
 Result<std::vector<DrawnFile>> ReportDrawing::take()
 {
-    if (d->failed)
-        return fail(ErrorKind::Internal,
-            {DYNCAL_TEXT("core",
-                 "The certificate and the plots cannot be drawn: the program found nothing to draw on; start it anew."),
-                {}});
+    if (d->problem)
+        return tl::unexpected<Error>(*d->problem);
     d->addDcc();
     return std::move(d->drawn);
 }

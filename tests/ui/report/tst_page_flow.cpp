@@ -4,14 +4,10 @@
 #include "tests/support/test_program.h"
 #include "ui/report/certificate_blocks.h"
 #include "ui/report/page_flow.h"
-#include "ui/report/pdf_bytes.h"
 
-#include <QBuffer>
 #include <QPainter>
-#include <QPdfWriter>
 #include <QtTest>
 
-#include <ctime>
 #include <numeric>
 #include <random>
 
@@ -48,8 +44,6 @@ private slots:
     void place_randomBlocks_neverOverlapNorLeaveThePage();
     void widths_anyInput_sumToTotal();
     void softHyphen_endsALine_andTakesNoRoomElse();
-    void dates_inPdf_areReplacedInPlace();
-    void pdf_inEveryTimeZone_hasTheSameBytes();
 };
 
 void TestPageFlow::place_whatFits_staysOnOnePage()
@@ -170,49 +164,6 @@ void TestPageFlow::softHyphen_endsALine_andTakesNoRoomElse()
     const FlowText set(QString::fromUtf8("Abtast\u00adrate"), font, width, &device);
     const FlowText two(QStringLiteral("Abtast-\nrate"), font, width, &device);
     QCOMPARE(set.height(), two.height());
-}
-
-void TestPageFlow::dates_inPdf_areReplacedInPlace()
-{
-    const QByteArray made
-        = "x /CreationDate (D:20250102030405+02'00')\n/ID [ <00112233445566778899aabbccddeeff> <00112233445566778899aabbccddeeff> ]\nend";
-    const QByteArray fixed = dyncal::withFixedDates(made, "2026-11-21T03:04:05Z");
-    QCOMPARE(fixed.size(), made.size());
-    QVERIFY(fixed.contains("D:20261121030405"));
-    QVERIFY(!fixed.contains("00112233445566778899aabbccddeeff"));
-    const qsizetype first = fixed.indexOf('<');
-    QCOMPARE(fixed.mid(first + 1, 32), fixed.mid(first + 36, 32));
-    const QByteArray other = dyncal::withFixedDates(
-        QByteArray(made).replace("20250102", "20190908").replace("0011", "ffee"),
-        "2026-11-21T03:04:05Z");
-    QCOMPARE(other, fixed);
-}
-
-void TestPageFlow::pdf_inEveryTimeZone_hasTheSameBytes()
-{
-    const QByteArray zoneBefore = qgetenv("TZ");
-    const auto written = [](const char *zone) {
-        qputenv("TZ", zone);
-        ::tzset();
-        QByteArray bytes;
-        QBuffer buffer(&bytes);
-        buffer.open(QIODevice::WriteOnly);
-        {
-            QPdfWriter writer(&buffer);
-            QPainter painter(&writer);
-            painter.drawText(QPointF(100.0, 100.0), "text");
-        }
-        return dyncal::withFixedDates(bytes, "2026-11-21T03:04:05Z");
-    };
-    const QByteArray utc = written("UTC0");
-    QVERIFY(utc.contains("CreationDate (D:20261121030405Z)"));
-    const qsizetype stated = utc.lastIndexOf("startxref\n") + 10;
-    QCOMPARE(utc.mid(utc.mid(stated, utc.indexOf('\n', stated) - stated).toLongLong(), 5),
-        QByteArray("xref\n"));
-    for (const char *zone : {"A-14", "B+12", "C-5:45", "D+3:30"})
-        QVERIFY2(written(zone) == utc, zone);
-    zoneBefore.isNull() ? qunsetenv("TZ") : qputenv("TZ", zoneBefore);
-    ::tzset();
 }
 
 DYNCAL_TEST(TestPageFlow)
