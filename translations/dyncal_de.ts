@@ -4108,5 +4108,45 @@
         <source>Probability of lying beyond the limit</source>
         <translation>Wahrscheinlichkeit, außerhalb der Grenze zu liegen</translation>
     </message>
+    <message>
+        <source>The file &apos;%1&apos; of %2.source cannot be used. %3</source>
+        <translation>Die Datei „%1“ von %2.source ist nicht verwendbar. %3</translation>
+    </message>
+    <message>
+        <source>Shot %1: the uncertainty of the step could not be checked by Monte Carlo (%2); what the law of propagation gives may be wrong.</source>
+        <translation>Schuss %1: Die Unsicherheit des Sprungs konnte nicht durch Monte Carlo geprüft werden (%2); was das Fortpflanzungsgesetz ergibt, ist vielleicht falsch.</translation>
+    </message>
+    <message>
+        <source>%1 states %2, this calibration %3: they differ by %4 %, En = %5, more than both expanded uncertainties, and are not joined to one curve. Check unit, range, gas and mounting of either; the one that is wrong is not known.</source>
+        <translation>%1 nennt %2, diese Kalibrierung %3: Sie unterscheiden sich um %4 %, En = %5, mehr als beide erweiterten Messunsicherheiten, und werden nicht zu einer Kurve zusammengeführt. Einheit, Bereich, Gas und Einbau beider prüfen; welche falsch ist, ist nicht bekannt.</translation>
+    </message>
+    <message>
+        <source>%1 of response.known cannot be compared with this calibration: %2. Correct it, or leave it out.</source>
+        <translation>%1 von response.known lässt sich mit dieser Kalibrierung nicht vergleichen: %2. Es berichtigen oder weglassen.</translation>
+    </message>
+    <message>
+        <source>The sensitivity has no complete uncertainty (%1). State what is missing in uncertainty.budget or in the capture; without it no sensitivity is a result.</source>
+        <translation>Die Empfindlichkeit hat keine vollständige Unsicherheit (%1). Das Fehlende in uncertainty.budget oder in der Aufzeichnung angeben; ohne es ist keine Empfindlichkeit ein Ergebnis.</translation>
+    </message>
+    <message>
+        <source>A file of the folder was left out. %1</source>
+        <translation>Eine Datei des Ordners wurde weggelassen. %1</translation>
+    </message>
+    <message>
+        <source>%1: a channel was left out. %2</source>
+        <translation>%1: Ein Kanal wurde weggelassen. %2</translation>
+    </message>
+    <message>
+        <source>%1 has no channel that can be read. %2</source>
+        <translation>%1 hat keinen lesbaren Kanal. %2</translation>
+    </message>
+    <message>
+        <source>%1 What stands before was read.</source>
+        <translation>%1 Was davor steht, wurde gelesen.</translation>
+    </message>
+    <message>
+        <source>Monte Carlo: %1 of %2 trials leave the range of the relations (%3); the stated uncertainties are too large for the value.</source>
+        <translation>Monte Carlo: %1 von %2 Versuchen verlassen den Gültigkeitsbereich der Beziehungen (%3); die angegebenen Unsicherheiten sind für den Wert zu groß.</translation>
+    </message>
 </context>
 </TS>

@@ -1,0 +1,173 @@
+// SPDX-FileCopyrightText: 2026 The Dyncal authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "core/signing/http_post.h"
+
+#include "core/base/ascii_text.h"
+#include "core/base/file_descriptor.h"
+
+#include <memory>
+#include <optional>
+#include <string_view>
+
+#include <cerrno>
+#include <fcntl.h>
+#include <netdb.h>
+#include <poll.h>
+#include <sys/socket.h>
+
+namespace dyncal {
+namespace {
+
+constexpr std::string_view kScheme = "http://";
+
+struct HttpAddress
+{
+    std::string host, port = "80", path = "/";
+};
+
+/// Empty where it is none. Controls, blanks and user names are refused, so that nothing of it can
+/// become a line of the request.
+std::optional<HttpAddress> parsed(const std::string &url)
+{
+    for (const char c : url)
+        if (c <= ' ' || c == '\x7F' || c == '@')
+            return std::nullopt;
+    if (!lowerCase(url).starts_with(kScheme))
+        return std::nullopt;
+    HttpAddress address;
+    const std::size_t slash = url.find('/', kScheme.size());
+    std::string place = url.substr(kScheme.size(), slash - kScheme.size());
+    if (slash != url.npos)
+        address.path = url.substr(slash, url.find('#') - slash);
+    const std::size_t colon = place.rfind(':'), bracket = place.rfind(']');
+    if (colon != place.npos && (bracket == place.npos || colon > bracket)) {
+        address.port = place.substr(colon + 1);
+        place.resize(colon);
+    }
+    if (place.starts_with('[') && place.ends_with(']'))
+        place = place.substr(1, place.size() - 2);
+    address.host = place;
+    const bool isPort = !address.port.empty() && address.port.size() <= 5
+        && address.port.find_first_not_of("0123456789") == std::string::npos;
+    return isPort && !address.host.empty() ? std::optional(address) : std::nullopt;
+}
+
+tl::unexpected<Error> noAddress(const std::string &url)
+{
+    return fail(ErrorKind::Usage,
+        {DYNCAL_TEXT("core",
+             "%1 is no address of a time-stamping authority that can be asked: it must be http://HOST[:PORT]/PATH. Plain http is enough, because the time stamp is signed itself."),
+            {url}});
+}
+
+tl::unexpected<Error> noAnswer(const std::string &url, Awaited end)
+{
+    if (end == Awaited::Stopped)
+        return fail(ErrorKind::Cancelled, {DYNCAL_TEXT("core", "Stopped on request."), {}});
+    return fail(ErrorKind::FileUnreadable,
+        {DYNCAL_TEXT("core",
+             "%1 cannot be reached, or did not answer in time or with what was asked for; look whether the address is right and the network is there, or leave the time stamp out."),
+            {url}});
+}
+
+using Places = std::unique_ptr<addrinfo, decltype(&freeaddrinfo)>;
+
+Places placesOf(const HttpAddress &address)
+{
+    addrinfo wanted{};
+    wanted.ai_socktype = SOCK_STREAM;
+    addrinfo *found = nullptr;
+    if (::getaddrinfo(address.host.c_str(), address.port.c_str(), &wanted, &found) != 0)
+        found = nullptr;
+    return {found, &freeaddrinfo};
+}
+
+bool isConnected(int socket)
+{
+    int error = 0;
+    socklen_t size = sizeof error;
+    return ::getsockopt(socket, SOL_SOCKET, SO_ERROR, &error, &size) == 0 && error == 0;
+}
+
+/// A connection to the first place that takes one; not valid where none does.
+FileDescriptor connectTo(const HttpAddress &address, const AnswerClock &clock)
+{
+    const Places places = placesOf(address);
+    for (const addrinfo *one = places.get(); one != nullptr; one = one->ai_next) {
+        FileDescriptor socket(::socket(
+            one->ai_family, one->ai_socktype | SOCK_NONBLOCK | SOCK_CLOEXEC, one->ai_protocol));
+        if (!socket.valid())
+            continue;
+        const int begun = ::connect(socket.get(), one->ai_addr, one->ai_addrlen);
+        if ((begun == 0 || errno == EINPROGRESS)
+            && clock.ready(socket.get(), POLLOUT) == Awaited::Whole && isConnected(socket.get()))
+            return socket;
+    }
+    return FileDescriptor();
+}
+
+Awaited sendAll(int socket, std::string_view bytes, const AnswerClock &clock)
+{
+    while (!bytes.empty()) {
+        if (const Awaited now = clock.ready(socket, POLLOUT); now != Awaited::Whole)
+            return now;
+        const ssize_t sent = ::send(socket, bytes.data(), bytes.size(), MSG_NOSIGNAL);
+        if (sent < 0 && errno != EAGAIN && errno != EINTR)
+            return Awaited::Broken;
+        bytes.remove_prefix(sent > 0 ? static_cast<std::size_t>(sent) : 0);
+    }
+    return Awaited::Whole;
+}
+
+std::string requestOf(
+    const HttpAddress &address, const std::string &contentType, const std::string &bytes)
+{
+    // HTTP/1.0: the answer ends with the connection, in one piece.
+    return "POST " + address.path + " HTTP/1.0\r\nHost: " + address.host + ':' + address.port
+        + "\r\nContent-Type: " + contentType + "\r\nContent-Length: " + std::to_string(bytes.size())
+        + "\r\nConnection: close\r\n\r\n" + bytes;
+}
+
+/// Body of an answer of status 200; empty otherwise.
+std::string bodyOf(const std::string &answer)
+{
+    constexpr std::string_view kEnd = "\r\n\r\n";
+    const std::size_t end = answer.find(kEnd), blank = answer.find(' ');
+    const bool isGood = answer.starts_with("HTTP/1.") && end != answer.npos && blank < end
+        && answer.compare(blank, 4, " 200") == 0;
+    return isGood ? answer.substr(end + kEnd.size()) : std::string();
+}
+
+} // namespace
+
+Result<void> checkHttpAddress(const std::string &url)
+{
+    if (!parsed(url))
+        return noAddress(url);
+    return {};
+}
+
+Result<std::string> postedTo(const std::string &url, const std::string &contentType,
+    const std::string &bytes, const std::stop_token &stop, const AnswerLimits &limits)
+{
+    const std::optional<HttpAddress> address = parsed(url);
+    if (!address)
+        return noAddress(url);
+    const AnswerClock clock(limits, stop);
+    const FileDescriptor socket = connectTo(*address, clock);
+    if (!socket.valid()) {
+        const Awaited standing = clock.standing();
+        return noAnswer(url, standing == Awaited::Whole ? Awaited::Broken : standing);
+    }
+    std::string answer;
+    Awaited end = sendAll(socket.get(), requestOf(*address, contentType, bytes), clock);
+    if (end == Awaited::Whole)
+        end = readToEnd(socket.get(), limits, clock, answer);
+    std::string body = bodyOf(answer);
+    if (end != Awaited::Whole || body.empty())
+        return noAnswer(url, end);
+    return body;
+}
+
+} // namespace dyncal

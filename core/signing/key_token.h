@@ -1,0 +1,19 @@
+// SPDX-FileCopyrightText: 2026 The Dyncal authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#pragma once
+
+#include "core/base/result.h"
+#include "core/signing/key_material.h"
+#include "core/signing/secret_bytes.h"
+
+namespace dyncal {
+
+/// Whether it is a URI of a token (RFC 7512) rather than a file.
+bool isTokenUri(const std::string &source);
+
+/// Key and certificate of a token, through OpenSSL's engine pkcs11 (adr/0029). The key stays in the
+/// token. Errors as SigningKey::open() has them.
+Result<KeyMaterial> keyOfToken(const std::string &uri, const SecretBytes &pin);
+
+} // namespace dyncal

@@ -1,0 +1,48 @@
+// SPDX-FileCopyrightText: 2026 The Dyncal authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "core/signing/signing_order.h"
+
+#include "core/signing/cms_signature.h"
+#include "core/signing/http_post.h"
+#include "core/signing/pdf_signature.h"
+#include "core/signing/seal_command.h"
+#include "core/signing/time_stamp.h"
+#include "core/signing/xml_signing.h"
+
+namespace dyncal {
+namespace {
+
+Result<std::string> cmsOf(
+    const std::string &sha256, const SigningOrder &order, const std::stop_token &stop)
+{
+    const Result<std::string> cms
+        = order.key ? cmsOfHash(sha256, *order.key) : sealedBy(order.sealCommand, sha256, stop);
+    if (!cms || order.authority.empty())
+        return cms;
+    return withTimeStamp(*cms, [&](const std::string &request) {
+        return postedTo(order.authority, "application/timestamp-query", request, stop);
+    });
+}
+
+} // namespace
+
+Result<std::string> signedDcc(const std::string &xml, const SigningOrder &order)
+{
+    return order.key ? signedXml(xml, *order.key) : xml;
+}
+
+Result<std::string> signedCertificate(const std::string &pdf, const SigningOrder &order,
+    const std::string &utc, const std::stop_token &stop)
+{
+    if (!order.isSigned())
+        return pdf;
+    if (order.key)
+        if (const Result<void> valid = order.key->checkValidAt(utc); !valid)
+            return tl::unexpected<Error>(valid.error());
+    const PdfSignatureWords words{order.key ? order.key->signer() : kSealName, utc};
+    return signedPdf(
+        pdf, words, [&](const std::string &sha256) { return cmsOf(sha256, order, stop); });
+}
+
+} // namespace dyncal
