@@ -93,7 +93,7 @@ private slots:
     void noWords_areADash()
     {
         QCOMPARE(DccWords().contents(verbatim("")).front().text, std::string("\u2013"));
-        QCOMPARE(DccWords().contents(verbatim(" \n")).front().text, std::string("\u2013"));
+        QCOMPARE(DccWords().contents(verbatim("  ")).front().text, std::string("\u2013"));
     }
 
     void number_isReal_andWordsAreNone()

@@ -58,12 +58,12 @@ QString refTypeIn(const XmlElement &element)
 }
 
 /// The quantities of a list with that refType.
-std::vector<const XmlElement *> quantities(const XmlElement &list, const QString &refType)
+std::vector<XmlElement> quantities(const XmlElement &list, const QString &refType)
 {
-    std::vector<const XmlElement *> found;
+    std::vector<XmlElement> found;
     for (const XmlElement &child : list.children)
         if (child.name == "dcc:quantity" && refTypeIn(child) == refType)
-            found.push_back(&child);
+            found.push_back(child);
     return found;
 }
 
@@ -89,11 +89,11 @@ private slots:
         QCOMPARE(refTypeIn(list), QString("dyncal_poles"));
         const auto damping = quantities(list, "dyncal_dampingRatio");
         QCOMPARE(damping.size(), std::size_t(1));
-        QCOMPARE(textOf(*damping[0], "si:valueXMLList"), QString("0.0200 NaN 0.400"));
-        QCOMPARE(textOf(*damping[0], "si:unitXMLList"), QString("\\one"));
-        QCOMPARE(textOf(*damping[0], "si:valueExpandedMUXMLList"), QString("0.0012 NaN 0.030"));
-        QCOMPARE(textOf(*damping[0], "si:coverageFactorXMLList"), QString("2 NaN 4.30"));
-        QCOMPARE(textOf(*damping[0], "si:coverageProbabilityXMLList"), QString("0.95"));
+        QCOMPARE(textOf(damping[0], "si:valueXMLList"), QString("0.0200 NaN 0.400"));
+        QCOMPARE(textOf(damping[0], "si:unitXMLList"), QString("\\one"));
+        QCOMPARE(textOf(damping[0], "si:valueExpandedMUXMLList"), QString("0.0012 NaN 0.030"));
+        QCOMPARE(textOf(damping[0], "si:coverageFactorXMLList"), QString("2 NaN 4.30"));
+        QCOMPARE(textOf(damping[0], "si:coverageProbabilityXMLList"), QString("0.95"));
     }
 
     void wordsAmongNumbers_standBesideThem()
@@ -101,18 +101,18 @@ private slots:
         const XmlElement list = dccListOf({}, poleTable());
         const auto numbers = quantities(list, "dyncal_poleZ");
         QCOMPARE(numbers.size(), std::size_t(1));
-        QCOMPARE(textOf(*numbers[0], "si:valueXMLList"), QString("NaN 0.5 -0.5"));
-        QVERIFY(!find(*numbers[0], "si:measurementUncertaintyUnivariateXMLList"));
+        QCOMPARE(textOf(numbers[0], "si:valueXMLList"), QString("NaN 0.5 -0.5"));
+        QVERIFY(!find(numbers[0], "si:measurementUncertaintyUnivariateXMLList"));
         const auto words = quantities(list, "dyncal_remarks");
         QCOMPARE(words.size(), std::size_t(1));
-        QCOMPARE(contents(*words[0]), QStringList({"0.9 \u00b1 j 0.1", "\u2013", "\u2013"}));
+        QCOMPARE(contents(words[0]), QStringList({"0.9 \u00b1 j 0.1", "\u2013", "\u2013"}));
     }
 
     void columnOfWords_hasAContentForEachRow()
     {
         const auto classes = quantities(dccListOf({}, poleTable()), "dyncal_poleClass");
         QCOMPARE(classes.size(), std::size_t(1));
-        QCOMPARE(contents(*classes[0]), QStringList({"sensor", "other", "other"}));
+        QCOMPARE(contents(classes[0]), QStringList({"sensor", "other", "other"}));
     }
 
     /// A unit for each value where they differ; that of the others where there is no value.
@@ -123,9 +123,9 @@ private slots:
         table.columns = {{heading("Rise time"), true}, {heading("Sample rate"), true}};
         table.rows = {{inNumbers("40.0 ns"), inNumbers("1 MHz")}, {dash(), inNumbers("100 kHz")}};
         const XmlElement list = dccListOf({}, table);
-        QCOMPARE(textOf(*quantities(list, "dyncal_riseTime")[0], "si:unitXMLList"),
+        QCOMPARE(textOf(quantities(list, "dyncal_riseTime")[0], "si:unitXMLList"),
             QString("\\nano\\second"));
-        QCOMPARE(textOf(*quantities(list, "dyncal_sampleRate")[0], "si:unitXMLList"),
+        QCOMPARE(textOf(quantities(list, "dyncal_sampleRate")[0], "si:unitXMLList"),
             QString("\\mega\\hertz \\kilo\\hertz"));
     }
 
@@ -141,8 +141,8 @@ private slots:
         const auto steps
             = quantities(dccListOf({}, table), "basic_referenceValue dyncal_pressureStep");
         QCOMPARE(steps.size(), std::size_t(1));
-        QCOMPARE(textOf(*steps[0], "si:valueExpandedMUXMLList"), QString("3.1"));
-        QCOMPARE(textOf(*steps[0], "si:coverageFactorXMLList"), QString("1.97"));
+        QCOMPARE(textOf(steps[0], "si:valueExpandedMUXMLList"), QString("3.1"));
+        QCOMPARE(textOf(steps[0], "si:coverageFactorXMLList"), QString("1.97"));
     }
 
     /// In another unit than its value a U would be read wrong by a thousand.
@@ -153,7 +153,7 @@ private slots:
         table.columns = {{heading("Undamped frequency"), true}, {heading("U (k = 2)"), true}};
         table.rows = {{inNumbers("2.33 MHz"), inNumbers("1.2 kHz")}};
         const auto found = quantities(dccListOf({}, table), "dyncal_naturalFrequency");
-        QVERIFY(!find(*found[0], "si:valueExpandedMUXMLList"));
+        QVERIFY(!find(found[0], "si:valueExpandedMUXMLList"));
     }
 
     void unknownUnit_leavesTheWords()
@@ -163,7 +163,7 @@ private slots:
         table.columns = {{heading("Output step"), true}};
         table.rows = {{inNumbers("12.5 mv")}};
         const auto found = quantities(dccListOf({}, table), "dyncal_outputStep");
-        QCOMPARE(contents(*found[0]), QStringList("12.5 mv"));
+        QCOMPARE(contents(found[0]), QStringList("12.5 mv"));
     }
 
     void markedFrequency_isANumberAndHasItsName()
@@ -174,9 +174,9 @@ private slots:
         table.rows = {{{"lower limit %L1", {"657.1 Hz"}}}, {inNumbers("1 kHz")}};
         const XmlElement list = dccListOf({}, table);
         QCOMPARE(
-            textOf(*quantities(list, "basic_tableIndex0 dyncal_frequency")[0], "si:valueXMLList"),
+            textOf(quantities(list, "basic_tableIndex0 dyncal_frequency")[0], "si:valueXMLList"),
             QString("657.1 1"));
-        QCOMPARE(contents(*quantities(list, "dyncal_remarks")[0]),
+        QCOMPARE(contents(quantities(list, "dyncal_remarks")[0]),
             QStringList({"lower limit 657.1 Hz", "\u2013"}));
         table.id = "shots"; // a bound is no value
         table.columns = {{heading("Rise time"), true}};
