@@ -3,32 +3,12 @@
 
 #pragma once
 
-#include "core/base/message.h"
 #include "core/base/result.h"
+#include "core/dcc/dcc_finding.h"
 
 #include <string>
-#include <vector>
 
 namespace dyncal {
-
-/// What of a DCC is not as it must be.
-struct DccFinding
-{
-    std::string rule; ///< "schema", "release", "id", "conditions", "list", "length", "unit", ...
-    std::string where; ///< "measurementResults/measurementResult/results/result[2]/data/list"
-    std::string found;
-    Message needed; ///< one sentence
-
-    bool operator==(const DccFinding &) const = default;
-};
-
-struct DccCheck
-{
-    std::string version; ///< "3.3.0"
-    std::string number; ///< its unique identifier
-    bool isSchemaChecked = false;
-    std::vector<DccFinding> findings; ///< empty: everything holds
-};
 
 /// Holds a digital calibration certificate against the rules that its schema does not know
 /// (dcc_rules.h) and, where `schemas` names a folder, against the schema of its version

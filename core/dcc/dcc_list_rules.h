@@ -3,7 +3,7 @@
 
 #pragma once
 
-#include "core/dcc/dcc_check.h"
+#include "core/dcc/dcc_finding.h"
 #include "core/dcc/dcc_tree.h"
 
 namespace dyncal {

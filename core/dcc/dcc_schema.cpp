@@ -69,7 +69,9 @@ xmlParserInputPtr loadFromFolder(const char *address, const char *, xmlParserCtx
     return xmlNewInputFromFile(context, place.c_str());
 }
 
-/// The program's own loader is back when this goes.
+void ignore(void *, xmlErrorPtr) { }
+
+/// The program's own loader is back when this goes; meanwhile nothing is printed.
 struct FolderLoader
 {
     std::lock_guard<std::mutex> lock{loading()};
@@ -79,13 +81,16 @@ struct FolderLoader
     {
         g_folder = folder;
         xmlSetExternalEntityLoader(loadFromFolder);
+        xmlSetStructuredErrorFunc(nullptr, ignore);
     }
-    ~FolderLoader() { xmlSetExternalEntityLoader(before); }
+    ~FolderLoader()
+    {
+        xmlSetStructuredErrorFunc(nullptr, nullptr);
+        xmlSetExternalEntityLoader(before);
+    }
     FolderLoader(const FolderLoader &) = delete;
     FolderLoader &operator=(const FolderLoader &) = delete;
 };
-
-void ignore(void *, xmlErrorPtr) { }
 
 /// A sentence of the validator with its line.
 void collect(void *list, xmlErrorPtr error)

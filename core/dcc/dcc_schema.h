@@ -3,7 +3,10 @@
 
 #pragma once
 
-#include "core/dcc/dcc_check.h"
+#include "core/base/result.h"
+#include "core/dcc/dcc_finding.h"
+
+#include <string>
 
 namespace dyncal {
 

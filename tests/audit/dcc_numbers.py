@@ -26,6 +26,7 @@ PREFIX = {"": "", "G": "\\giga", "M": "\\mega", "k": "\\kilo", "m": "\\milli", "
           "n": "\\nano", "p": "\\pico"}
 UNIT = {"": "\\one", "Hz": "\\hertz", "s": "\\second", "V/Pa": "\\volt\\pascal\\tothe{-1}", "%": "\\percent", "V": "\\volt",
         "A/Pa": "\\ampere\\pascal\\tothe{-1}", "1/Pa": "\\pascal\\tothe{-1}", "rad": "\\radian"}
+PAGE = re.compile(r"\b\d+ (?:of|av|von) \d+\s*$|\(\d+\)\s*$")
 TOKEN = re.compile(r"(?<![\w.])-?\d+(?:\.\d+)?(?![\w]|\.\d)")
 
 
@@ -100,15 +101,14 @@ def check_rows(text, root, errors):
     return found
 
 
-def check_words(text, root, figures, errors):
-    """Every number before the figures is a number of the DCC, or a word of one of its texts."""
-    said = " ".join(" ".join(node.itertext()) for node in (root,))
-    words = set(TOKEN.findall(said)) | set(TOKEN.findall(said.replace("E", " E")))
+def check_words(text, root, language, errors):
+    """Every number is a number of the DCC, or a word of one of its texts; but for those of the pages."""
+    said = [as_core_writes(node.text or "", language) for node in root.iter(DCC + "content")]
+    said += [(node.text or "").replace("E", " E") for node in root.iter() if node.tag != DCC + "content"]
+    words = set(TOKEN.findall(" ".join(said)))
     found = 0
-    for line in text.split(figures)[0].splitlines():
-        if re.search(r"\b\d+ (of|av|von) \d+\b", line) and len(line.strip()) < 140 and "page" not in said:
-            line = re.sub(r"\b\d+ (of|av|von) \d+\s*$", "", line)
-        for token in TOKEN.findall(line):
+    for line in text.splitlines():
+        for token in TOKEN.findall(PAGE.sub("", line)):
             found += 1
             if token not in words:
                 errors.append(f"{token} ({line.strip()[:70]}) is not in the DCC")
@@ -193,9 +193,7 @@ def main():
     language = sys.argv[2] if len(sys.argv) == 3 else "en"
     words = words_of(language)
     results = json.loads((folder / "results.json").read_text())
-    source = as_core_writes((folder / "dcc.xml").read_text(), language) if language != "en" else None
     root = etree.parse(str(folder / "dcc.xml")).getroot()
-    spoken = etree.fromstring(source.encode()) if source else root
     text = subprocess.run(["pdftotext", "-layout", folder / "certificate.pdf", "-"], check=True, capture_output=True,
                           text=True).stdout
     text = as_core_writes(text, language)
@@ -204,7 +202,7 @@ def main():
     before = figures.split(text)[0]
     errors = []
     counts = [check_key_results(text, root, labels, errors), check_rows(text, root, errors),
-              check_words(before, spoken, "\0", errors), check_reported(results, root, errors),
+              check_words(before, root, language, errors), check_reported(results, root, errors),
               check_response(results["response"], root, "dyncal_complexResponse", errors),
               check_response((results["response"] or {}).get("marked"), root, "dyncal_complexResponseAtMarks", errors),
               check_lists(results, root, errors)]

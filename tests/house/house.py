@@ -23,7 +23,7 @@ from pathlib import Path
 
 LAYERS = ("core", "registry", "ui", "app")
 # A table of the subcommands, and the two programs' entry points.
-WITHOUT_HEADER = re.compile(r"app/(main|cli/(batch|check|compare|correct|export|history|import|info|issue|recheck|registry|run|selftest|simulate|verify|withdraw))\.cpp")
+WITHOUT_HEADER = re.compile(r"app/(main|cli/(batch|check|compare|correct|dcc|export|history|import|info|issue|recheck|registry|run|selftest|simulate|verify|withdraw))\.cpp")
 # The oracles of the self-test are tests themselves (tests/selftest/faults.py tests them): the bar of their room is
 # without them, that of all core with them.
 ORACLES = re.compile(r"core/selftest/checks_(of|in)_\w+\.(cpp|h)")

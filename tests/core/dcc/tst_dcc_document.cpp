@@ -164,7 +164,7 @@ private slots:
                 ++compared;
             }
         }
-        QVERIFY(compared >= 3);
+        QVERIFY(compared > 0);
     }
 
     /// Nothing that the certificate says in a table or field is without a name for machines.
