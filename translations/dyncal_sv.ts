@@ -7790,10 +7790,6 @@ steget</translation>
         <translation>Certifikatets lista behöver frekvenser, belopp i %1 och eventuellt faser, lika många av varje, med utvidgade osäkerheter och deras täckningsfaktorer.</translation>
     </message>
     <message>
-        <source>The file is XML, but no digital calibration certificate (%1); give that, or a table as CSV.</source>
-        <translation>Filen är XML, men inget digitalt kalibreringscertifikat (%1); ange ett sådant, eller en tabell som CSV.</translation>
-    </message>
-    <message>
         <source>The table has no rows.</source>
         <translation>Tabellen har inga rader.</translation>
     </message>
@@ -9312,6 +9308,186 @@ steget</translation>
     <message>
         <source>Project %1 is held by %2 on %3 since %4, so it is read-only here; save changes under another name, or open it again once it is closed there.</source>
         <translation>Projektet %1 hålls av %2 på %3 sedan %4, så det är skrivskyddat här; spara ändringar under ett annat namn, eller öppna det igen när det har stängts där.</translation>
+    </message>
+    <message>
+        <source>The certificate states no serial number of its item, or not which of its numbers that is.</source>
+        <translation>Certifikatet anger inget serienummer för sitt kalibreringsobjekt, eller inte vilket av dess nummer som är det.</translation>
+    </message>
+    <message>
+        <source>The certificate is of several items (%1), and it is not said which of them the results are of.</source>
+        <translation>Certifikatet gäller flera objekt (%1), och det sägs inte vilket av dem resultaten gäller.</translation>
+    </message>
+    <message>
+        <source>The result &apos;%1&apos; in line %2 is not known as sensitivity, natural frequency or damping ratio, or is not the only one.</source>
+        <translation>Resultatet ”%1” på rad %2 är inte känt som känslighet, egenfrekvens eller dämpningsgrad, eller är inte det enda.</translation>
+    </message>
+    <message>
+        <source>The list in line %1 is a response over frequency, but so is another, and which is meant is not guessed.</source>
+        <translation>Listan på rad %1 är ett svar över frekvens, men det är en annan också, och vilken som avses gissas inte.</translation>
+    </message>
+    <message>
+        <source>%1 rows of the response over frequency state no value (NaN).</source>
+        <translation>%1 rader av svaret över frekvens anger inget värde (NaN).</translation>
+    </message>
+    <message>
+        <source>Line %1, %2: &apos;%3&apos; has a comma; numbers of a certificate have a point as decimal mark, and which is meant is not guessed.</source>
+        <translation>Rad %1, %2: ”%3” har ett komma; tal i ett certifikat har punkt som decimaltecken, och vad som avses gissas inte.</translation>
+    </message>
+    <message>
+        <source>Line %1, %2: &apos;%3&apos; is no finite number, and one is needed.</source>
+        <translation>Rad %1, %2: ”%3” är inget ändligt tal, och ett sådant behövs.</translation>
+    </message>
+    <message>
+        <source>Line %1, %2: it has %3 entries for %4 values; one for all or one for each is needed.</source>
+        <translation>Rad %1, %2: den har %3 poster för %4 värden; en för alla eller en för varje behövs.</translation>
+    </message>
+    <message>
+        <source>Line %1, %2: &apos;%3&apos; is no unit that is known here; a unit of the D-SI, such as \volt\pascal\tothe{-1}, is needed.</source>
+        <translation>Rad %1, %2: ”%3” är ingen enhet som är känd här; en enhet enligt D-SI, som \volt\pascal\tothe{-1}, behövs.</translation>
+    </message>
+    <message>
+        <source>Line %1, %2: the units &apos;%3&apos; and &apos;%4&apos; stand in one list; values of one unit are needed.</source>
+        <translation>Rad %1, %2: enheterna ”%3” och ”%4” står i en och samma lista; värden i en enhet behövs.</translation>
+    </message>
+    <message>
+        <source>Line %1, %2: it has the element %3 more than once; one is needed.</source>
+        <translation>Rad %1, %2: den har elementet %3 mer än en gång; ett behövs.</translation>
+    </message>
+    <message>
+        <source>Line %1, %2: it lacks the element %3, without which it says nothing.</source>
+        <translation>Rad %1, %2: den saknar elementet %3, och utan det säger den inget.</translation>
+    </message>
+    <message>
+        <source>Line %1, %2: a value or its uncertainty is beyond 1e308 in %3, which nothing measured is.</source>
+        <translation>Rad %1, %2: ett värde eller dess osäkerhet är bortom 1e308 i %3, och så stort är inget som mäts.</translation>
+    </message>
+    <message>
+        <source>Line %1, %2: its unit, or whether it has an uncertainty, is not as in the entries before it; a list of one kind is needed.</source>
+        <translation>Rad %1, %2: dess enhet, eller om den har en osäkerhet, är inte som i posterna före; en lista av ett slag behövs.</translation>
+    </message>
+    <message>
+        <source>Line %1, %2: the list is empty, and values are needed.</source>
+        <translation>Rad %1, %2: listan är tom, och värden behövs.</translation>
+    </message>
+    <message>
+        <source>Line %1, %2: its phase is in %3; one in \radian or \degree is needed.</source>
+        <translation>Rad %1, %2: dess fas är i %3; en i \radian eller \degree behövs.</translation>
+    </message>
+    <message>
+        <source>Line %1, %2: value %3 is 0, so its phase and the uncertainty of it are not determined.</source>
+        <translation>Rad %1, %2: värde %3 är 0, så dess fas och fasens osäkerhet är inte bestämda.</translation>
+    </message>
+    <message>
+        <source>Line %1, %2: this form of a quantity is not understood; one of the D-SI&apos;s real, complex or constant values or lists of them is needed.</source>
+        <translation>Rad %1, %2: den här formen av en storhet förstås inte; ett av D-SI:s reella, komplexa eller konstanta värden eller listor av dem behövs.</translation>
+    </message>
+    <message>
+        <source>Line %1, %2: its %3 is below 0, which no uncertainty is.</source>
+        <translation>Rad %1, %2: dess %3 är under 0, och det är ingen osäkerhet.</translation>
+    </message>
+    <message>
+        <source>Line %1, %2: its %3 is not above 0, so the standard uncertainty does not follow.</source>
+        <translation>Rad %1, %2: dess %3 är inte över 0, så standardosäkerheten följer inte.</translation>
+    </message>
+    <message>
+        <source>Line %1, %2: this statement of the uncertainty is not understood, or is the second one; the quantity is not read without it.</source>
+        <translation>Rad %1, %2: den här uppgiften om osäkerheten förstås inte, eller är den andra; storheten läses inte utan den.</translation>
+    </message>
+    <message>
+        <source>Line %1, %2: the covariance is in %3, where the values ask for %4.</source>
+        <translation>Rad %1, %2: kovariansen är i %3, där värdena kräver %4.</translation>
+    </message>
+    <message>
+        <source>Line %1, %2: it has not two columns with two entries each, which both parts of a complex value ask for.</source>
+        <translation>Rad %1, %2: den har inte två kolumner med två poster vardera, som de båda delarna av ett komplext värde kräver.</translation>
+    </message>
+    <message>
+        <source>Line %1, %2: it is no covariance: not symmetric, negative on its diagonal, or correlated by more than 1.</source>
+        <translation>Rad %1, %2: den är ingen kovarians: inte symmetrisk, negativ på diagonalen eller korrelerad med mer än 1.</translation>
+    </message>
+    <message>
+        <source>The file is XML, but no digital calibration certificate (it holds &apos;%1&apos;); give one, or a table as CSV.</source>
+        <translation>Filen är XML, men inget digitalt kalibreringscertifikat (den innehåller ”%1”); ange ett sådant, eller en tabell som CSV.</translation>
+    </message>
+    <message>
+        <source>The digital calibration certificate is of version &apos;%1&apos; (schemaVersion), and versions 3.0 to 3.3 are read; ask its laboratory for one of them.</source>
+        <translation>Det digitala kalibreringscertifikatet är av version ”%1” (schemaVersion), och versionerna 3.0 till 3.3 läses; be dess laboratorium om en av dem.</translation>
+    </message>
+    <message>
+        <source>Line %1, %2: a relative uncertainty has no coverage factor, so it is not taken; the values beside it are read without uncertainty.</source>
+        <translation>Rad %1, %2: en relativ osäkerhet har ingen täckningsfaktor, så den används inte; värdena bredvid läses utan osäkerhet.</translation>
+    </message>
+    <message>
+        <source>The list in line %1 of the certificate has no frequencies in hertz, which a response over frequency needs.</source>
+        <translation>Listan på rad %1 i certifikatet har inga frekvenser i hertz, vilket ett svar över frekvens behöver.</translation>
+    </message>
+    <message>
+        <source>The list in line %1 of the certificate has several quantities in hertz (lines %2), and which of them are the frequencies is not guessed; its laboratory must mark them by a refType.</source>
+        <translation>Listan på rad %1 i certifikatet har flera storheter i hertz (raderna %2), och vilka av dem som är frekvenserna gissas inte; dess laboratorium måste märka dem med en refType.</translation>
+    </message>
+    <message>
+        <source>The list in line %1 of the certificate has no magnitudes in the unit of a sensitivity, such as V/Pa, V/N or V/(m/s2).</source>
+        <translation>Listan på rad %1 i certifikatet har inga belopp i enheten för en känslighet, som V/Pa, V/N eller V/(m/s2).</translation>
+    </message>
+    <message>
+        <source>The list in line %1 of the certificate has no magnitudes in %3, which are asked for.</source>
+        <translation>Listan på rad %1 i certifikatet har inga belopp i %3, vilka efterfrågas.</translation>
+    </message>
+    <message>
+        <source>The list in line %1 of the certificate has several quantities in the unit of a sensitivity (lines %2), and which of them is meant is not guessed; its laboratory must mark it by a refType.</source>
+        <translation>Listan på rad %1 i certifikatet har flera storheter i enheten för en känslighet (raderna %2), och vilken av dem som avses gissas inte; dess laboratorium måste märka den med en refType.</translation>
+    </message>
+    <message>
+        <source>The list in line %1 of the certificate has several angles (lines %2), and which of them are the phases is not guessed; its laboratory must mark them by a refType.</source>
+        <translation>Listan på rad %1 i certifikatet har flera vinklar (raderna %2), och vilka av dem som är faserna gissas inte; dess laboratorium måste märka dem med en refType.</translation>
+    </message>
+    <message>
+        <source>The list in line %1 of the certificate has %2 frequencies and, in line %3, %4 values; as many of each are needed.</source>
+        <translation>Listan på rad %1 i certifikatet har %2 frekvenser och, på rad %3, %4 värden; lika många av varje behövs.</translation>
+    </message>
+    <message>
+        <source>The frequencies in line %1 of the certificate are not all above 0; which rows are meant is not guessed.</source>
+        <translation>Frekvenserna på rad %1 i certifikatet är inte alla över 0; vilka rader som avses gissas inte.</translation>
+    </message>
+    <message>
+        <source>The list in line %1 of the certificate states no magnitude at any frequency (NaN only).</source>
+        <translation>Listan på rad %1 i certifikatet anger inget belopp vid någon frekvens (bara NaN).</translation>
+    </message>
+    <message>
+        <source>The XML file is not in UTF-8, nor does it say that it is in UTF-16 or ISO-8859-1, so its text is unknown; save it as UTF-8.</source>
+        <translation>XML-filen är inte i UTF-8 och säger inte heller att den är i UTF-16 eller ISO-8859-1, så dess text är okänd; spara den som UTF-8.</translation>
+    </message>
+    <message>
+        <source>The XML file has %1 bytes and %2 tags, more than the %3 bytes and %4 tags that a certificate may have; take out what is embedded in it.</source>
+        <translation>XML-filen har %1 byte och %2 taggar, fler än de %3 byte och %4 taggar som ett certifikat får ha; ta bort det som är inbäddat i den.</translation>
+    </message>
+    <message>
+        <source>Line %1 of the XML file is malformed (%2); restore the file as its laboratory sent it.</source>
+        <translation>Rad %1 i XML-filen är felaktig (%2); återställ filen som dess laboratorium sände den.</translation>
+    </message>
+    <message>
+        <source>The XML file has a document type (DOCTYPE), which may make it grow or fetch other files, and which no certificate needs; it is not read.</source>
+        <translation>XML-filen har en dokumenttyp (DOCTYPE), som kan få den att växa eller hämta andra filer och som inget certifikat behöver; den läses inte.</translation>
+    </message>
+    <message>
+        <source>The elements of the XML file are nested deeper than %1 levels, which no certificate needs; it is not read.</source>
+        <translation>XML-filens element ligger i varandra djupare än %1 nivåer, vilket inget certifikat behöver; den läses inte.</translation>
+    </message>
+    <message>
+        <source>The XML file has several elements that hold everything, where one is needed; restore the file as its laboratory sent it.</source>
+        <translation>XML-filen har flera element som omfattar allt, där ett behövs; återställ filen som dess laboratorium sände den.</translation>
+    </message>
+    <message>
+        <source>%1 does not say when the calibration was: its certificate has no day (endPerformanceDate) such as 2026-01-31; ask its laboratory.</source>
+        <translation>%1 säger inte när kalibreringen gjordes: dess certifikat har ingen dag (endPerformanceDate) som 2026-01-31; fråga dess laboratorium.</translation>
+    </message>
+    <message>
+        <source>%1 cannot be read; check the path and the rights of the file.</source>
+        <translation>%1 kan inte läsas; kontrollera sökvägen och filens rättigheter.</translation>
+    </message>
+    <message>
+        <source>The unit &apos;%1&apos; is none that a certificate can be read in; one such as V/Pa, pC/Pa or 1 is needed.</source>
+        <translation>Enheten ”%1” är ingen som ett certifikat kan läsas i; en som V/Pa, pC/Pa eller 1 behövs.</translation>
     </message>
 </context>
 <context>
@@ -11070,20 +11246,12 @@ steget</translation>
         <translation>Tidigare resultat</translation>
     </message>
     <message>
-        <source>A results.json of an earlier run or certificate: its S(f) is drawn beside this one, and nothing is changed by it</source>
-        <translation>En results.json från en tidigare körning eller ett bevis: dess S(f) ritas bredvid detta, och inget ändras av det</translation>
-    </message>
-    <message>
         <source>Earlier, %1</source>
         <translation>Tidigare, %1</translation>
     </message>
     <message>
         <source>Sensor %1, %2</source>
         <translation>Givare %1, %2</translation>
-    </message>
-    <message>
-        <source>Results (*.json);;All files (*)</source>
-        <translation>Resultat (*.json);;Alla filer (*)</translation>
     </message>
     <message>
         <source>%1: in %2, which this result is not; it is not drawn.</source>
@@ -11096,6 +11264,22 @@ steget</translation>
     <message>
         <source>%1: %2 of %3 rows agree within U; the largest |E_n| is %4, at %5. What both share, tube, references and method, is in both U: an |E_n| below 1 does not show that nothing changed.</source>
         <translation>%1: %2 av %3 rader stämmer överens inom U; det största |E_n| är %4, vid %5. Vad båda delar, rör, referenser och metod, finns i båda U: ett |E_n| under 1 visar inte att inget har ändrats.</translation>
+    </message>
+    <message>
+        <source>A results.json of an earlier run, or a digital calibration certificate (DCC) of any laboratory: its S(f) is drawn beside this one, and nothing is changed by it</source>
+        <translation>En results.json från en tidigare körning, eller ett digitalt kalibreringscertifikat (DCC) från vilket laboratorium som helst: dess S(f) ritas bredvid detta, och inget ändras av det</translation>
+    </message>
+    <message>
+        <source>Certificate %1, %2</source>
+        <translation>Certifikat %1, %2</translation>
+    </message>
+    <message>
+        <source>Results and certificates (*.json *.xml);;All files (*)</source>
+        <translation>Resultat och certifikat (*.json *.xml);;Alla filer (*)</translation>
+    </message>
+    <message>
+        <source>Not taken from the certificate:</source>
+        <translation>Inte hämtat från certifikatet:</translation>
     </message>
 </context>
 <context>
