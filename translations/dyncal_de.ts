@@ -2661,10 +2661,6 @@
         <translation>Die Liste des Kalibrierscheins braucht Frequenzen, Beträge in %1 und vielleicht Phasen, von jedem gleich viele, mit erweiterten Messunsicherheiten und ihren Erweiterungsfaktoren.</translation>
     </message>
     <message>
-        <source>The file is XML, but no digital calibration certificate (%1); give that, or a table as CSV.</source>
-        <translation>Die Datei ist XML, aber kein digitaler Kalibrierschein (%1); diesen oder eine Tabelle als CSV angeben.</translation>
-    </message>
-    <message>
         <source>A comparison needs the reference transducer&apos;s sensitivity from one place: give comparison.source or comparison.model, not both and not neither.</source>
         <translation>Ein Vergleich braucht die Empfindlichkeit des Referenzaufnehmers von einer Stelle: comparison.source oder comparison.model angeben, nicht beide und nicht keines.</translation>
     </message>
@@ -4147,6 +4143,10 @@
     <message>
         <source>Monte Carlo: %1 of %2 trials leave the range of the relations (%3); the stated uncertainties are too large for the value.</source>
         <translation>Monte Carlo: %1 von %2 Versuchen verlassen den Gültigkeitsbereich der Beziehungen (%3); die angegebenen Unsicherheiten sind für den Wert zu groß.</translation>
+    </message>
+    <message>
+        <source>The unit &apos;%1&apos; is none that a certificate can be read in; one such as V/Pa, pC/Pa or 1 is needed.</source>
+        <translation>Die Einheit „%1“ ist keine, in der ein Kalibrierschein gelesen werden kann; eine wie V/Pa, pC/Pa oder 1 wird benötigt.</translation>
     </message>
 </context>
 </TS>
