@@ -3257,10 +3257,6 @@
         <translation>Das Logo %1 der Vorlage %2 lässt sich nicht zeichnen; es neu als PNG oder einfaches SVG speichern.</translation>
     </message>
     <message>
-        <source>The certificate and the plots cannot be drawn: the program found nothing to draw on; start it anew.</source>
-        <translation>Der Kalibrierschein und die Diagramme lassen sich nicht zeichnen: Das Programm fand nichts, worauf zu zeichnen wäre; es neu starten.</translation>
-    </message>
-    <message>
         <source>Channel &apos;%1&apos;: the recipe states a sensitivity of %2, the card of the sensor %3, which is %4 % different. The recipe&apos;s is used; correct it, or the card.</source>
         <translation>Kanal „%1“: Das Rezept nennt eine Empfindlichkeit von %2, die Datenkarte des Aufnehmers %3, was um %4 % abweicht. Verwendet wird die des Rezepts; sie oder die Datenkarte berichtigen.</translation>
     </message>
@@ -3907,6 +3903,18 @@
     <message>
         <source>Monte Carlo: %1 of %2 trials leave the range of the relations (%3); the stated uncertainties are too large for the value.</source>
         <translation>Monte Carlo: %1 von %2 Versuchen verlassen den Gültigkeitsbereich der Beziehungen (%3); die angegebenen Unsicherheiten sind für den Wert zu groß.</translation>
+    </message>
+    <message>
+        <source>This certificate for machines (DCC)</source>
+        <translation>Dieser Kalibrierschein für Maschinen (DCC)</translation>
+    </message>
+    <message>
+        <source>All results, unrounded, with their budgets</source>
+        <translation>Alle Ergebnisse, ungerundet, mit ihren Budgets</translation>
+    </message>
+    <message>
+        <source>Every decision of the evaluation</source>
+        <translation>Jede Entscheidung der Auswertung</translation>
     </message>
 </context>
 </TS>

@@ -5382,10 +5382,6 @@ steget</translation>
         <translation>Modellindata: skott %1 är registrerat med %2, under modellens samplingsfrekvens %3; välj högst %2.</translation>
     </message>
     <message>
-        <source>The certificate and the plots cannot be drawn: the program found nothing to draw on; start it anew.</source>
-        <translation>Kalibreringsbeviset och diagrammen kan inte ritas: programmet hittade inget att rita på; starta om det.</translation>
-    </message>
-    <message>
         <source>%1 states a sampling interval of %2 s for channel %3, which cannot be; state the sample rate in the recipe&apos;s import section if it is known.</source>
         <translation>%1 anger ett samplingsintervall på %2 s för kanal %3, vilket inte kan stämma; ange samplingsfrekvensen i receptets importdel om den är känd.</translation>
     </message>
@@ -9312,6 +9308,62 @@ steget</translation>
     <message>
         <source>Project %1 is held by %2 on %3 since %4, so it is read-only here; save changes under another name, or open it again once it is closed there.</source>
         <translation>Projektet %1 hålls av %2 på %3 sedan %4, så det är skrivskyddat här; spara ändringar under ett annat namn, eller öppna det igen när det har stängts där.</translation>
+    </message>
+    <message>
+        <source>This certificate for machines (DCC)</source>
+        <translation>Detta bevis för maskiner (DCC)</translation>
+    </message>
+    <message>
+        <source>All results, unrounded, with their budgets</source>
+        <translation>Alla resultat, oavrundade, med sina budgetar</translation>
+    </message>
+    <message>
+        <source>Every decision of the evaluation</source>
+        <translation>Varje beslut i utvärderingen</translation>
+    </message>
+    <message>
+        <source>The document was drawn, but what an archive asks of a PDF could not be added to it (%1); please report this.</source>
+        <translation>Dokumentet ritades, men det som ett arkiv kräver av en PDF kunde inte läggas till (%1); rapportera gärna detta.</translation>
+    </message>
+    <message>
+        <source>The PDF lacks %1, which an archive needs.</source>
+        <translation>PDF-filen saknar %1, som ett arkiv behöver.</translation>
+    </message>
+    <message>
+        <source>The PDF says two things of %1.</source>
+        <translation>PDF-filen säger två olika saker om %1.</translation>
+    </message>
+    <message>
+        <source>The file %1 inside the PDF lacks %2, or has a wrong one.</source>
+        <translation>Filen %1 inuti PDF-filen saknar %2 eller har fel värde där.</translation>
+    </message>
+    <message>
+        <source>The font %1 of the PDF is not embedded.</source>
+        <translation>PDF-filens typsnitt %1 är inte inbäddat.</translation>
+    </message>
+    <message>
+        <source>The PDF holds %1, which an archive may not hold.</source>
+        <translation>PDF-filen innehåller %1, som ett arkiv inte får innehålla.</translation>
+    </message>
+    <message>
+        <source>The PDF cannot be read (%1): it is damaged, encrypted or written in another form than certificates are; take an unchanged copy of it.</source>
+        <translation>PDF-filen kan inte läsas (%1): den är skadad, krypterad eller skriven i en annan form än bevisens; använd en oförändrad kopia av den.</translation>
+    </message>
+    <message>
+        <source>The file %1 inside certificate.pdf stands where %2 belongs, or is said to be something else.</source>
+        <translation>Filen %1 inuti certificate.pdf står där %2 hör hemma, eller anges vara något annat.</translation>
+    </message>
+    <message>
+        <source>%1 inside certificate.pdf is not the file %1 beside it.</source>
+        <translation>%1 inuti certificate.pdf är inte filen %1 bredvid.</translation>
+    </message>
+    <message>
+        <source>%1 is missing inside certificate.pdf.</source>
+        <translation>%1 saknas inuti certificate.pdf.</translation>
+    </message>
+    <message>
+        <source>certificate.pdf has a file inside that does not belong there: %1.</source>
+        <translation>certificate.pdf innehåller en fil som inte hör dit: %1.</translation>
     </message>
 </context>
 <context>
