@@ -793,6 +793,10 @@
         <source>End of the report</source>
         <translation>Ende des Berichts</translation>
     </message>
+    <message>
+        <source>Issued, with an electronic signature</source>
+        <translation>Ausgestellt, mit elektronischer Signatur</translation>
+    </message>
 </context>
 <context>
     <name>core</name>
@@ -3907,6 +3911,14 @@
     <message>
         <source>Monte Carlo: %1 of %2 trials leave the range of the relations (%3); the stated uncertainties are too large for the value.</source>
         <translation>Monte Carlo: %1 von %2 Versuchen verlassen den Gültigkeitsbereich der Beziehungen (%3); die angegebenen Unsicherheiten sind für den Wert zu groß.</translation>
+    </message>
+    <message>
+        <source>issued, with an electronic signature in this file</source>
+        <translation>ausgestellt, mit elektronischer Signatur in dieser Datei</translation>
+    </message>
+    <message>
+        <source>issued as an amendment, with an electronic signature in this file</source>
+        <translation>ausgestellt als Änderung, mit elektronischer Signatur in dieser Datei</translation>
     </message>
 </context>
 </TS>

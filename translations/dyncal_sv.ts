@@ -3567,6 +3567,10 @@ steget</translation>
         <source>Issued, not signed</source>
         <translation>Utfärdat, inte undertecknat</translation>
     </message>
+    <message>
+        <source>Issued, with an electronic signature</source>
+        <translation>Utfärdat, elektroniskt undertecknat</translation>
+    </message>
 </context>
 <context>
     <name>ShockBudget</name>
@@ -8838,10 +8842,6 @@ steget</translation>
         <translation>Registreringarna eftersöktes inte (--recordings MAPP).</translation>
     </message>
     <message>
-        <source>A single file can be verified with the registry only; name it (--registry), or the folder of the certificate.</source>
-        <translation>En enskild fil kan bara kontrolleras mot registret; ange det (--registry), eller bevisets mapp.</translation>
-    </message>
-    <message>
         <source>The registry knows no certificate with this file.</source>
         <translation>Registret känner inget bevis med denna fil.</translation>
     </message>
@@ -9312,6 +9312,250 @@ steget</translation>
     <message>
         <source>Project %1 is held by %2 on %3 since %4, so it is read-only here; save changes under another name, or open it again once it is closed there.</source>
         <translation>Projektet %1 hålls av %2 på %3 sedan %4, så det är skrivskyddat här; spara ändringar under ett annat namn, eller öppna det igen när det har stängts där.</translation>
+    </message>
+    <message>
+        <source>Say who signs the certificate by one of --key and --seal-command, or that nobody does by --unsigned.</source>
+        <translation>Ange vem som undertecknar beviset med antingen --key eller --seal-command, eller med --unsigned att ingen gör det.</translation>
+    </message>
+    <message>
+        <source>A time stamp (--tsa) is put over a signature, and --unsigned asks for none; leave one of them out.</source>
+        <translation>En tidsstämpel (--tsa) sätts över en signatur, och --unsigned begär ingen; utelämna ett av dem.</translation>
+    </message>
+    <message>
+        <source>--pin-fd gives the PIN or passphrase of a key; name the key by --key.</source>
+        <translation>--pin-fd ger en nyckels PIN eller lösenfras; ange nyckeln med --key.</translation>
+    </message>
+    <message>
+        <source>%1 is no moment (--at); write it in UTC as 2026-01-31T12:00:00Z, or a day as 2026-01-31.</source>
+        <translation>%1 är ingen tidpunkt (--at); skriv den i UTC som 2026-01-31T12:00:00Z, eller en dag som 2026-01-31.</translation>
+    </message>
+    <message>
+        <source>A single file that is not signed can be verified with the registry only; name it (--registry), or the folder of the certificate.</source>
+        <translation>En enskild fil som inte är undertecknad kan bara kontrolleras mot registret; ange det (--registry), eller bevisets mapp.</translation>
+    </message>
+    <message>
+        <source>issued, with an electronic signature in this file</source>
+        <translation>utfärdat, elektroniskt undertecknat i denna fil</translation>
+    </message>
+    <message>
+        <source>issued as an amendment, with an electronic signature in this file</source>
+        <translation>utfärdat som ändring, elektroniskt undertecknat i denna fil</translation>
+    </message>
+    <message>
+        <source>The signature is no detached CMS with one signer and the certificate of that signer: it was changed, or is of a kind that is not read here.</source>
+        <translation>Signaturen är ingen fristående CMS med en undertecknare och dennes certifikat: den har ändrats, eller är av ett slag som inte läses här.</translation>
+    </message>
+    <message>
+        <source>The signature rests on a hash that is not accepted: SHA-256, SHA-384 and SHA-512 are.</source>
+        <translation>Signaturen vilar på ett hashvärde som inte godtas: SHA-256, SHA-384 och SHA-512 godtas.</translation>
+    </message>
+    <message>
+        <source>What was signed is not what stands there now: it was changed.</source>
+        <translation>Det som signerades är inte det som står där nu: det har ändrats.</translation>
+    </message>
+    <message>
+        <source>The signature was not made by the key of the certificate beside it: one of both was changed.</source>
+        <translation>Signaturen gjordes inte med nyckeln till certifikatet bredvid: ett av dem har ändrats.</translation>
+    </message>
+    <message>
+        <source>The key of %1 does not sign; where it is one of a token, look whether the token is still there and unlocked.</source>
+        <translation>Nyckeln för %1 signerar inte; hör den till en token, se efter om denna ännu sitter i och är upplåst.</translation>
+    </message>
+    <message>
+        <source>%1 is no address of a time-stamping authority that can be asked: it must be http://HOST[:PORT]/PATH. Plain http is enough, because the time stamp is signed itself.</source>
+        <translation>%1 är ingen adress till en tidsstämplingstjänst som kan frågas: den ska vara http://HOST[:PORT]/PATH. Vanlig http räcker, eftersom tidsstämpeln själv är signerad.</translation>
+    </message>
+    <message>
+        <source>%1 cannot be reached, or did not answer in time or with what was asked for; look whether the address is right and the network is there, or leave the time stamp out.</source>
+        <translation>%1 kan inte nås, eller svarade inte i tid eller inte med det som begärdes; se efter om adressen är rätt och nätet finns, eller utelämna tidsstämpeln.</translation>
+    </message>
+    <message>
+        <source>The key in %1 has a passphrase, and none was given; give it by --pin-fd N.</source>
+        <translation>Nyckeln i %1 har en lösenfras, och ingen gavs; ge den med --pin-fd N.</translation>
+    </message>
+    <message>
+        <source>The passphrase does not open the key in %1; give the right one.</source>
+        <translation>Lösenfrasen öppnar inte nyckeln i %1; ge den rätta.</translation>
+    </message>
+    <message>
+        <source>%1 holds no private key together with its certificate; give a PKCS#12 file, or a PEM file with both.</source>
+        <translation>%1 innehåller ingen privat nyckel tillsammans med dess certifikat; ge en PKCS#12-fil, eller en PEM-fil med båda.</translation>
+    </message>
+    <message>
+        <source>The key file %1 cannot be read, is empty or has more than %2 bytes; give a PKCS#12 or PEM file that you may read.</source>
+        <translation>Nyckelfilen %1 kan inte läsas, är tom eller har fler än %2 byte; ge en PKCS#12- eller PEM-fil som du får läsa.</translation>
+    </message>
+    <message>
+        <source>The URI of the token holds a PIN, which others could read in the list of processes; leave it out and give the PIN by --pin-fd N.</source>
+        <translation>Tokenens URI innehåller en PIN, som andra kunde läsa i listan över processer; utelämna den och ge PIN med --pin-fd N.</translation>
+    </message>
+    <message>
+        <source>The library of the token (%1) cannot be used through OpenSSL&apos;s engine pkcs11; install libengine-pkcs11-openssl and name the token&apos;s library by module-path in the URI or by PKCS11_MODULE_PATH.</source>
+        <translation>Tokenens bibliotek (%1) kan inte användas genom OpenSSL:s engine pkcs11; installera libengine-pkcs11-openssl och ange tokenens bibliotek med module-path i URI:n eller med PKCS11_MODULE_PATH.</translation>
+    </message>
+    <message>
+        <source>The token gives no private key for %1 without a PIN; give it by --pin-fd N.</source>
+        <translation>Tokenen ger ingen privat nyckel för %1 utan PIN; ge den med --pin-fd N.</translation>
+    </message>
+    <message>
+        <source>The token gives no private key for %1: the PIN is wrong, or there is no such token or object; look with `pkcs11-tool --list-objects` before you try again, because tokens lock after some wrong PINs.</source>
+        <translation>Tokenen ger ingen privat nyckel för %1: PIN är fel, eller det finns ingen sådan token eller inget sådant objekt; se efter med `pkcs11-tool --list-objects` innan du försöker igen, eftersom en token låses efter några felaktiga PIN.</translation>
+    </message>
+    <message>
+        <source>The token has no certificate under %1; write the key&apos;s certificate into it under the same id (pkcs11-tool --write-object FILE --type cert --id ID).</source>
+        <translation>Tokenen har inget certifikat under %1; skriv nyckelns certifikat till den under samma id (pkcs11-tool --write-object FILE --type cert --id ID).</translation>
+    </message>
+    <message>
+        <source>The PDF cannot be signed: it does not end with a cross-reference table of the classic kind; sign it as Dyncal wrote it.</source>
+        <translation>PDF-filen kan inte signeras: den slutar inte med en korsreferenstabell av det klassiska slaget; signera den som Dyncal skrev den.</translation>
+    </message>
+    <message>
+        <source>The PDF cannot be signed: it is encrypted; sign it as Dyncal wrote it.</source>
+        <translation>PDF-filen kan inte signeras: den är krypterad; signera den som Dyncal skrev den.</translation>
+    </message>
+    <message>
+        <source>The PDF cannot be signed: it has a signature already; sign it as Dyncal wrote it.</source>
+        <translation>PDF-filen kan inte signeras: den har redan en signatur; signera den som Dyncal skrev den.</translation>
+    </message>
+    <message>
+        <source>The PDF cannot be signed: it is damaged; sign it as Dyncal wrote it.</source>
+        <translation>PDF-filen kan inte signeras: den är skadad; signera den som Dyncal skrev den.</translation>
+    </message>
+    <message>
+        <source>The signature of the PDF ends at byte %1, and the file has %2: something was added behind it.</source>
+        <translation>PDF-filens signatur slutar vid byte %1, och filen har %2: något har lagts till efter den.</translation>
+    </message>
+    <message>
+        <source>The signature of the PDF covers %1 bytes, and the file has %2: it was cut off.</source>
+        <translation>PDF-filens signatur omfattar %1 byte, och filen har %2: den har kortats av.</translation>
+    </message>
+    <message>
+        <source>The signature has %1 bytes with its certificates and time stamp, and the PDF has room for %2; leave certificates out that are not needed.</source>
+        <translation>Signaturen har %1 byte med sina certifikat och sin tidsstämpel, och PDF-filen har plats för %2; utelämna certifikat som inte behövs.</translation>
+    </message>
+    <message>
+        <source>The signature of the PDF is damaged.</source>
+        <translation>PDF-filens signatur är skadad.</translation>
+    </message>
+    <message>
+        <source>The signature of the PDF, in bytes %1 to %2, is damaged.</source>
+        <translation>PDF-filens signatur, i byte %1 till %2, är skadad.</translation>
+    </message>
+    <message>
+        <source>Signed are the bytes 0 to %1 and %2 to %3 of the PDF.</source>
+        <translation>Signerade är byte 0 till %1 och %2 till %3 av PDF-filen.</translation>
+    </message>
+    <message>
+        <source>The seal command %1 did not give a signature: it must be startable, end with exit code 0 within %2 s and write at most %3 bytes; try it by itself.</source>
+        <translation>Sigillkommandot %1 gav ingen signatur: det måste gå att starta, sluta med slutkod 0 inom %2 s och skriva högst %3 byte; pröva det för sig.</translation>
+    </message>
+    <message>
+        <source>“%1” is no command to seal with: it needs a program, and quotes that are closed.</source>
+        <translation>“%1” är inget kommando att signera med: det behöver ett program, och citattecken som är slutna.</translation>
+    </message>
+    <message>
+        <source>The seal command %1 answered, but not with a signature over the hash that it was given; see its contract in docs/signatures.md.</source>
+        <translation>Sigillkommandot %1 svarade, men inte med en signatur över det hashvärde som det fick; se dess villkor i docs/signatures.md.</translation>
+    </message>
+    <message>
+        <source>No PIN or passphrase of 1 to %2 bytes in one line can be read from file descriptor %1 (--pin-fd); open it for reading, as in `--pin-fd 3 3&lt; FILE`.</source>
+        <translation>Ingen PIN eller lösenfras på 1 till %2 byte på en rad kan läsas från fildeskriptor %1 (--pin-fd); öppna den för läsning, som i `--pin-fd 3 3&lt; FILE`.</translation>
+    </message>
+    <message>
+        <source>%1 holds no certificate that could be trusted; give a file in PEM form, with -----BEGIN CERTIFICATE-----.</source>
+        <translation>%1 innehåller inget certifikat att lita på; ge en fil i PEM-form, med -----BEGIN CERTIFICATE-----.</translation>
+    </message>
+    <message>
+        <source>It is signed by “%1”, and whether that is the laboratory is not known: name the certificate that you trust by --trust CA.pem.</source>
+        <translation>Det är signerat av “%1”, och om det är laboratoriet är inte känt: ange det certifikat som du litar på med --trust CA.pem.</translation>
+    </message>
+    <message>
+        <source>It is signed by “%1”, behind whom none of the certificates of --trust stands.</source>
+        <translation>Det är signerat av “%1”, bakom vilken inget av certifikaten i --trust står.</translation>
+    </message>
+    <message>
+        <source>The certificate of “%1” is valid from %2 to %3.</source>
+        <translation>Certifikatet för “%1” gäller från %2 till %3.</translation>
+    </message>
+    <message>
+        <source>It was not valid when it signed, at %1.</source>
+        <translation>Det gällde inte när det signerade, %1.</translation>
+    </message>
+    <message>
+        <source>It is not valid at %1, and no time stamp shows that the signature was made while it was.</source>
+        <translation>Det gäller inte %1, och ingen tidsstämpel visar att signaturen gjordes medan det gällde.</translation>
+    </message>
+    <message>
+        <source>The certificate of “%1” is not for signatures (key usage).</source>
+        <translation>Certifikatet för “%1” är inte till för signaturer (nyckelanvändning).</translation>
+    </message>
+    <message>
+        <source>The certificate in %1 (%2) does not belong to the private key there; give the certificate that was made for this key.</source>
+        <translation>Certifikatet i %1 (%2) hör inte till den privata nyckeln där; ge det certifikat som gjordes för denna nyckel.</translation>
+    </message>
+    <message>
+        <source>The key in %1 is none to sign certificates with; take an RSA key of %2 bits or more, or one of an elliptic curve.</source>
+        <translation>Nyckeln i %1 är ingen att underteckna bevis med; ta en RSA-nyckel på minst %2 bitar, eller en av en elliptisk kurva.</translation>
+    </message>
+    <message>
+        <source>The certificate of %1 is not for signatures: its key usage has neither digitalSignature nor nonRepudiation; take one that has.</source>
+        <translation>Certifikatet för %1 är inte till för signaturer: dess nyckelanvändning har varken digitalSignature eller nonRepudiation; ta ett som har det.</translation>
+    </message>
+    <message>
+        <source>The certificate of %1 is valid from %2 to %3 and not at %4, when it would sign; take one that is valid.</source>
+        <translation>Certifikatet för %1 gäller från %2 till %3 och inte %4, då det skulle signera; ta ett som gäller.</translation>
+    </message>
+    <message>
+        <source>The time-stamping authority answered, but not with a time stamp over this signature; look whether the address (--tsa) is that of an RFC 3161 service.</source>
+        <translation>Tidsstämplingstjänsten svarade, men inte med en tidsstämpel över denna signatur; se efter om adressen (--tsa) är den till en RFC 3161-tjänst.</translation>
+    </message>
+    <message>
+        <source>The time stamp is not over this signature, or was changed, and does not count.</source>
+        <translation>Tidsstämpeln är inte över denna signatur, eller har ändrats, och räknas inte.</translation>
+    </message>
+    <message>
+        <source>The time stamp (%1) is by an authority behind which none of the certificates of --trust stands, and does not count.</source>
+        <translation>Tidsstämpeln (%1) är från en tjänst bakom vilken inget av certifikaten i --trust står, och räknas inte.</translation>
+    </message>
+    <message>
+        <source>The XML document cannot be signed: it must be sound, without document type and entities, of at most %1 bytes and not signed yet.</source>
+        <translation>XML-dokumentet kan inte signeras: det måste vara helt, utan dokumenttyp och entiteter, på högst %1 byte och ännu inte signerat.</translation>
+    </message>
+    <message>
+        <source>What stands in the element %1 is not what was signed: it was changed.</source>
+        <translation>Det som står i elementet %1 är inte det som signerades: det har ändrats.</translation>
+    </message>
+    <message>
+        <source>The XML signature was not made by the key of the certificate in it: one of both was changed.</source>
+        <translation>XML-signaturen gjordes inte med nyckeln till certifikatet i den: ett av dem har ändrats.</translation>
+    </message>
+    <message>
+        <source>It is no XML document that is read: it must be sound, without document type and entities, of at most %1 bytes.</source>
+        <translation>Det är inget XML-dokument som läses: det måste vara helt, utan dokumenttyp och entiteter, på högst %1 byte.</translation>
+    </message>
+    <message>
+        <source>The XML signature is damaged, or not of the one form that is accepted: over the whole document, once, as the last element of its root, with exclusive canonicalisation, SHA-256 and the signer&apos;s certificate.</source>
+        <translation>XML-signaturen är skadad, eller inte av den enda form som godtas: över hela dokumentet, en gång, som rotens sista element, med exklusiv kanonisering, SHA-256 och undertecknarens certifikat.</translation>
+    </message>
+    <message>
+        <source>The signature of %1 cannot be looked at: the file cannot be read, or has more than %2 bytes.</source>
+        <translation>Signaturen på %1 kan inte ses efter: filen kan inte läsas, eller har fler än %2 byte.</translation>
+    </message>
+    <message>
+        <source>%1 has no signature of its own.</source>
+        <translation>%1 har ingen egen signatur.</translation>
+    </message>
+    <message>
+        <source>Only %1 is signed, %2 is not.</source>
+        <translation>Bara %1 är signerad, %2 är det inte.</translation>
+    </message>
+    <message>
+        <source>%1 is signed by “%2”, %3 by “%4”.</source>
+        <translation>%1 är signerad av “%2”, %3 av “%4”.</translation>
+    </message>
+    <message>
+        <source>The signature of %1 does not hold.</source>
+        <translation>Signaturen på %1 håller inte.</translation>
     </message>
 </context>
 <context>
@@ -13298,6 +13542,14 @@ steget</translation>
     <message>
         <source>file</source>
         <translation>fil</translation>
+    </message>
+    <message>
+        <source>▲ unknown signer</source>
+        <translation>▲ okänd undertecknare</translation>
+    </message>
+    <message>
+        <source>▲ expired</source>
+        <translation>▲ utgången</translation>
     </message>
 </context>
 <context>

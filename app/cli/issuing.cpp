@@ -11,6 +11,7 @@
 #include "core/certificate/certificate_issue.h"
 #include "core/reference/reference_source.h"
 #include "core/results/results_json.h"
+#include "registry/issued/file_signatures.h"
 #include "registry/issued/folder_check.h"
 #include "registry/issued/issued_files.h"
 #include "ui/session/project_file.h"
@@ -63,8 +64,25 @@ void keepSource(const Settings &settings, Files &files)
         files[keptSourceName(settings.source, settings.loaded->sha256)] = settings.loaded->content;
 }
 
+/// The DCC before the PDF, which may carry it; the PDF last of all.
+Result<Files> signedFiles(Files files, const IssueOrder &order)
+{
+    if (const auto dcc = files.find("dcc.xml"); dcc != files.end()) {
+        Result<std::string> made = signedDcc(dcc->second, order.signing);
+        if (!made)
+            return tl::unexpected<Error>(made.error());
+        dcc->second = std::move(*made);
+    }
+    Result<std::string> made
+        = signedCertificate(files[kIssuedPdf], order.signing, order.names.utc, interruptToken());
+    if (!made)
+        return tl::unexpected<Error>(made.error());
+    files[kIssuedPdf] = std::move(*made);
+    return files;
+}
+
 Result<Files> filesOf(const ProjectState &job, const PipelineOutcome &outcome,
-    const ChosenTemplate &chosen, const CertificateRecord &record)
+    const ChosenTemplate &chosen, const CertificateRecord &record, const IssueOrder &order)
 {
     // The names that were given when the number was reserved, and its time: a restart later makes
     // the same files.
@@ -79,14 +97,14 @@ Result<Files> filesOf(const ProjectState &job, const PipelineOutcome &outcome,
         keepSource(recipe.comparison, files);
     files.merge(keptTemplateFiles(chosen));
     const CertificateIssue issue{number, certificateNumber(record.amends), record.reason,
-        record.head, sha256Hex(std::string_view(files["results.json"]))};
+        record.head, sha256Hex(std::string_view(files["results.json"])), order.signing.isSigned()};
     Result<std::vector<DrawnFile>> drawn
         = drawWithoutWindow(outcome.results, recipe, record.reservedUtc, chosen, issue);
     if (!drawn)
         return tl::unexpected<Error>(drawn.error());
     for (DrawnFile &file : *drawn)
         files[file.name] = std::move(file.bytes);
-    return files;
+    return signedFiles(std::move(files), order);
 }
 
 std::vector<std::string> recordingsOf(const CaptureSet &captures)
@@ -113,7 +131,8 @@ Result<IssuedCertificate> issuedBefore(const IssueOrder &order, const Certificat
     const std::string folder = issuedFolder(order.output, record.number);
     const Result<FolderCheck> check = checkIssuedFolder(folder, nullptr);
     if (check && !check->firstDifference)
-        return IssuedCertificate{record, folder};
+        return IssuedCertificate{record, folder,
+            checkFolderSignatures(folder, {}).status != SignatureCheck::Status::Unsigned};
     return fail(ErrorKind::Usage,
         {DYNCAL_TEXT("core",
              "This job was issued as certificate %1, and %2 does not hold it; name the folder that does (-o), or issue an amendment by --amends %1 --reason TEXT."),
@@ -133,7 +152,7 @@ Result<IssuedCertificate> issueCertificate(const ProjectState &job, const Pipeli
     const CertificateRecord &record = reserved->record;
     if (record.state != CertificateState::Reserved)
         return issuedBefore(order, record);
-    const Result<Files> files = filesOf(job, outcome, chosen, record);
+    const Result<Files> files = filesOf(job, outcome, chosen, record, order);
     if (!files)
         return tl::unexpected<Error>(files.error());
     const auto hashes
@@ -145,7 +164,8 @@ Result<IssuedCertificate> issueCertificate(const ProjectState &job, const Pipeli
         = registerIssued(order.registry, record.number, *hashes, order.names.utc);
     if (!issued)
         return tl::unexpected<Error>(issued.error());
-    return IssuedCertificate{*issued, issuedFolder(order.output, record.number)};
+    return IssuedCertificate{
+        *issued, issuedFolder(order.output, record.number), order.signing.isSigned()};
 }
 
 } // namespace dyncal
