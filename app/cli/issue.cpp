@@ -10,6 +10,7 @@
 #include "app/cli/project_job.h"
 #include "app/cli/recipe_options.h"
 #include "app/cli/registry_options.h"
+#include "app/cli/signing_options.h"
 #include "app/cli/verbs.h"
 
 #include "core/base/foreign_text.h"
@@ -33,7 +34,7 @@ struct IssueOptions
     IssueOrder order;
     std::string templateName;
     std::vector<std::string> languages;
-    bool isUnsigned = false; ///< always so in this version
+    SigningOptions signing;
     bool json = false;
 };
 
@@ -76,10 +77,12 @@ int conclude(const IssuedCertificate &issued, bool json)
     if (json)
         std::cout << jsonText({{"number", record.number}, {"folder", issued.folder},
             {"state", certificateStateName(record.state)}, {"head", record.head},
-            {"files", record.files}, {"findings", nlohmann::json::array()}});
+            {"files", record.files}, {"signed", issued.isSigned},
+            {"findings", nlohmann::json::array()}});
     else
         std::cout << "Certificate " << record.number << ", " << certificateStateName(record.state)
-                  << ", not signed: " << presentable(issued.folder) << '\n';
+                  << (issued.isSigned ? ", signed: " : ", not signed: ")
+                  << presentable(issued.folder) << '\n';
     return static_cast<int>(ExitCode::Done);
 }
 
@@ -165,6 +168,11 @@ int issue(IssueOptions options)
     options.order.names.utc = *now;
     if (const Result<void> whole = checkAmendment(options.order); !whole)
         return report(whole.error());
+    // Before a number is taken: a wrong PIN must not cost one.
+    const Result<SigningOrder> signing = signingOrder(options.signing, *now);
+    if (!signing)
+        return report(signing.error());
+    options.order.signing = *signing;
     return isPlan(options.project) ? issueAll(options) : issueOne(options);
 }
 
@@ -203,13 +211,12 @@ void addIssue(CLI::App &program, VerbAction &action)
         ->delimiter(',')
         ->type_name("en,sv");
     declareNames(*verb, options->order);
-    verb->add_flag(
-        "--unsigned", options->isUnsigned, "Without a signature (implied: this version has none)");
+    declareSigning(*verb, options->signing);
     verb->add_flag("--json", options->json, "As JSON");
     verb->footer(
-        "Example:\n  dyncal issue job.dyncal -o certificates --by \"A. Berg\"\n"
-        "  dyncal issue job.dyncal -o certificates --amends 17 --reason \"serial number corrected\"\n"
-        "  dyncal issue plan.jsonl -o certificates --by \"A. Berg\"");
+        "Example:\n  dyncal issue job.dyncal -o certificates --by \"A. Berg\" --key lab.p12 --pin-fd 3 3< pin\n"
+        "  dyncal issue job.dyncal -o certificates --amends 17 --reason \"serial number corrected\" --unsigned\n"
+        "  dyncal issue plan.jsonl -o certificates --by \"A. Berg\" --unsigned");
     verb->callback([options, &action] { action = [options] { return issue(*options); }; });
 }
 

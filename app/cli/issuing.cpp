@@ -15,6 +15,7 @@
 #include "core/history/history_section.h"
 #include "core/reference/reference_source.h"
 #include "core/results/results_json.h"
+#include "registry/issued/file_signatures.h"
 #include "registry/issued/folder_check.h"
 #include "registry/issued/issued_files.h"
 #include "ui/report/certificate_dcc.h"
@@ -89,6 +90,30 @@ Result<StatedHistory> historyFor(const ChosenTemplate &chosen, const IssueOrder 
     return StatedHistory{historySection(*history), historyFigureMakers(*history)};
 }
 
+/// Signed before it is embedded.
+Result<void> signDcc(const IssueOrder &order, Files &files)
+{
+    const auto dcc = files.find(kDccFile);
+    if (dcc == files.end())
+        return {};
+    Result<std::string> made = signedDcc(dcc->second, order.signing);
+    if (!made)
+        return tl::unexpected<Error>(made.error());
+    dcc->second = std::move(*made);
+    return {};
+}
+
+/// Last of all: the signature is of the whole file.
+Result<Files> withSignedPdf(Files files, const IssueOrder &order)
+{
+    Result<std::string> made
+        = signedCertificate(files[kIssuedPdf], order.signing, order.names.utc, interruptToken());
+    if (!made)
+        return tl::unexpected<Error>(made.error());
+    files[kIssuedPdf] = std::move(*made);
+    return files;
+}
+
 Result<Files> filesOf(const ProjectState &job, const PipelineOutcome &outcome,
     const ChosenTemplate &chosen, const IssueOrder &order, const CertificateRecord &record)
 {
@@ -108,11 +133,14 @@ Result<Files> filesOf(const ProjectState &job, const PipelineOutcome &outcome,
     if (!history)
         return tl::unexpected<Error>(history.error());
     CertificateIssue issue{number, certificateNumber(record.amends), record.reason, record.head,
-        sha256Hex(std::string_view(files["results.json"])), {}, std::move(history->section)};
+        sha256Hex(std::string_view(files["results.json"])), order.signing.isSigned(), {},
+        std::move(history->section)};
     if (outcome.results.response)
         files[kDccFile] = certificateDcc(
             certificateOf(outcome.results, recipe, record.reservedUtc, chosen, issue),
             outcome.results, recipe, issue);
+    if (const Result<void> dcc = signDcc(order, files); !dcc)
+        return tl::unexpected<Error>(dcc.error());
     issue.attachments = certificateAttachments(files);
     Result<std::vector<DrawnFile>> drawn = drawWithoutWindow(
         outcome.results, recipe, record.reservedUtc, chosen, issue, history->figures);
@@ -120,7 +148,7 @@ Result<Files> filesOf(const ProjectState &job, const PipelineOutcome &outcome,
         return tl::unexpected<Error>(drawn.error());
     for (DrawnFile &file : *drawn)
         files[file.name] = std::move(file.bytes);
-    return files;
+    return withSignedPdf(std::move(files), order);
 }
 
 std::vector<std::string> recordingsOf(const CaptureSet &captures)
@@ -147,7 +175,8 @@ Result<IssuedCertificate> issuedBefore(const IssueOrder &order, const Certificat
     const std::string folder = issuedFolder(order.output, record.number);
     const Result<FolderCheck> check = checkIssuedFolder(folder, nullptr);
     if (check && !check->firstDifference)
-        return IssuedCertificate{record, folder};
+        return IssuedCertificate{record, folder,
+            checkFolderSignatures(folder, {}).status != SignatureCheck::Status::Unsigned};
     return fail(ErrorKind::Usage,
         {DYNCAL_TEXT("core",
              "This job was issued as certificate %1, and %2 does not hold it; name the folder that does (-o), or issue an amendment by --amends %1 --reason TEXT."),
@@ -179,7 +208,8 @@ Result<IssuedCertificate> issueCertificate(const ProjectState &job, const Pipeli
         = registerIssued(order.registry, record.number, *hashes, order.names.utc);
     if (!issued)
         return tl::unexpected<Error>(issued.error());
-    return IssuedCertificate{*issued, issuedFolder(order.output, record.number)};
+    return IssuedCertificate{
+        *issued, issuedFolder(order.output, record.number), order.signing.isSigned()};
 }
 
 } // namespace dyncal

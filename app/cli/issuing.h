@@ -7,6 +7,7 @@
 #include "core/issue/issued_recipe.h"
 #include "core/pipeline/pipeline.h"
 #include "core/project/template_choice.h"
+#include "core/signing/signing_order.h"
 #include "registry/certificates/certificate_register.h"
 #include "ui/session/project_state.h"
 
@@ -23,6 +24,7 @@ struct IssueOrder
     Index number = 0; ///< a reserved one; 0: the job's own, or the next
     Index amends = 0; ///< 0: none
     std::string reason;
+    SigningOrder signing = {}; ///< who signs, at the moment of `names`
 };
 
 /// A certificate that lies in its folder and stands in the registry.
@@ -30,13 +32,14 @@ struct IssuedCertificate
 {
     CertificateRecord record;
     std::string folder;
+    bool isSigned = false;
 };
 
 /// Numbers, writes and registers the certificate of a job that has no obstacles (issueObstacles),
 /// whose recipe names the kept copy of its template (withKeptTemplate): reserves the number, writes
 /// OUTPUT/NUMBER/, marks it issued, each as a whole. After a failure the same call goes on with the
 /// same number; a job that is issued already is answered without writing anything. Fails as
-/// CertificateRegister, writeIssuedFolder and the drawing do.
+/// CertificateRegister, writeIssuedFolder, the drawing and the signing do.
 Result<IssuedCertificate> issueCertificate(const ProjectState &job, const PipelineOutcome &outcome,
     const ChosenTemplate &chosen, const IssueOrder &order);
 

@@ -19,6 +19,8 @@ int codeOf(const Verified &one)
     case Status::Valid:
         return one.remarks.empty() ? 0 : 1;
     case Status::Unsigned:
+    case Status::UnknownSigner:
+    case Status::Expired:
         return 1;
     case Status::Changed:
     case Status::Missing:
@@ -44,8 +46,9 @@ nlohmann::json jsonOf(const Verified &one)
         {"chain",
             {{"entries", one.entries}, {"head", textOrNull(one.head)},
                 {"anchored", one.anchored}}}};
-    for (const char *later : {"signer", "signed_utc", "stamped_utc"}) // with signatures
-        json[later] = nullptr;
+    json["signer"] = textOrNull(one.signer);
+    json["signed_utc"] = textOrNull(one.signedUtc);
+    json["stamped_utc"] = textOrNull(one.stampedUtc);
     json["number"] = one.number > 0 ? nlohmann::json(one.number) : nlohmann::json();
     json["first_difference"]
         = one.firstDifference ? nlohmann::json(english(*one.firstDifference)) : nlohmann::json();
@@ -58,6 +61,10 @@ std::string wordsOf(const Verified &one)
         return english(*one.firstDifference);
     std::string words = one.number > 0 ? "certificate " + std::to_string(one.number) + ", " : "";
     words += (one.state.empty() ? "" : one.state + ", ") + statusName(one.status);
+    if (!one.signer.empty())
+        words += ", signed by " + presentable(one.signer)
+            + (one.signedUtc.empty() ? "" : " at " + one.signedUtc)
+            + (one.stampedUtc.empty() ? "" : ", time stamp " + one.stampedUtc);
     if (one.kind == "registry")
         words += "; " + std::to_string(one.entries) + " entries of the audit trail, "
             + std::to_string(one.anchored) + " of them up to the last issued certificate";
@@ -68,8 +75,8 @@ std::string wordsOf(const Verified &one)
 
 const char *statusName(Verified::Status status)
 {
-    constexpr std::array<const char *, 5> kNames{
-        "valid", "unsigned", "changed", "missing", "unreadable"};
+    constexpr std::array<const char *, 7> kNames{
+        "valid", "unsigned", "changed", "missing", "unreadable", "unknown-signer", "expired"};
     return kNames[static_cast<std::size_t>(status)];
 }
 

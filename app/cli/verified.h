@@ -17,7 +17,7 @@ namespace dyncal {
 /// What `dyncal verify` found of one file or folder.
 struct Verified
 {
-    enum class Status { Valid, Unsigned, Changed, Missing, Unreadable };
+    enum class Status { Valid, Unsigned, Changed, Missing, Unreadable, UnknownSigner, Expired };
 
     std::string file; ///< as given, or found below it
     std::string kind; ///< "certificate", "registry", "project", "recording", "file"
@@ -29,6 +29,9 @@ struct Verified
     Index entries = 0; ///< of the audit trail
     Index anchored = 0; ///< of these, how many a certificate stands for
     std::string head = {};
+    std::string signer = {}; ///< empty: not signed, or changed
+    std::string signedUtc = {}; ///< as the signature states it
+    std::string stampedUtc = {}; ///< by a time stamp that counts
 };
 
 /// "valid", ...: the words of --json.

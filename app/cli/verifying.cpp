@@ -11,6 +11,7 @@
 #include "core/capture/opening/capture_open.h"
 #include "core/recheck/recording_search.h"
 #include "registry/certificates/registry_check.h"
+#include "registry/issued/file_signatures.h"
 #include "registry/issued/folder_check.h"
 #include "ui/session/project_checksum.h"
 #include "ui/session/project_file.h"
@@ -18,6 +19,7 @@
 #include <QFileInfo>
 
 #include <algorithm>
+#include <array>
 #include <filesystem>
 #include <fstream>
 
@@ -80,6 +82,19 @@ std::optional<Message> recordingDifference(
     return found ? std::optional<Message>() : std::optional(found.error().message);
 }
 
+/// What is known of a signature, of a file that has no other difference.
+void takeSignature(const SignatureCheck &check, Verified &one)
+{
+    constexpr std::array kStatuses{Status::Valid, Status::Unsigned, Status::Changed,
+        Status::UnknownSigner, Status::Expired}; // as in SignatureCheck
+    one.status = kStatuses[static_cast<std::size_t>(check.status)];
+    one.firstDifference = check.difference;
+    one.remarks.insert(one.remarks.begin(), check.remarks.begin(), check.remarks.end());
+    one.signer = check.signer;
+    one.signedUtc = check.signedUtc;
+    one.stampedUtc = check.stampedUtc;
+}
+
 Verified verifyFolder(
     const std::string &folder, CertificateRegister *registry, const VerifyOptions &options)
 {
@@ -92,11 +107,11 @@ Verified verifyFolder(
     if (options.recordings.empty())
         check->remarks.push_back(
             {DYNCAL_TEXT("core", "The recordings were not looked for (--recordings DIR)."), {}});
-    one.status = check->isMissing ? Status::Missing
-        : check->firstDifference  ? Status::Changed
-                                  : Status::Unsigned;
+    one.status = check->isMissing ? Status::Missing : Status::Changed;
     one.firstDifference = check->firstDifference;
     one.remarks = check->remarks;
+    if (!check->firstDifference)
+        takeSignature(checkFolderSignatures(folder, options.trust), one);
     one.number = check->number;
     one.state = check->state ? certificateStateName(*check->state) : "";
     one.entries = one.anchored = check->entries;
@@ -150,10 +165,18 @@ Verified verifyRecording(const std::string &path)
     return one;
 }
 
-/// A single file of a certificate: the registry knows its hash.
-Verified verifySingle(const std::string &path, CertificateRegister *registry)
+/// A single file of a certificate: its own signature, and the registry knows its hash.
+Verified verifySingle(
+    const std::string &path, CertificateRegister *registry, const TrustSettings &trust)
 {
     Verified one{.file = path, .kind = "file"};
+    const Result<SignatureCheck> signature = checkFileSignature(path, trust);
+    if (!signature)
+        return unreadable(one, signature.error());
+    takeSignature(*signature, one);
+    const bool isSound = one.status != Status::Changed && one.status != Status::Unsigned;
+    if (one.status == Status::Changed || (isSound && !registry))
+        return one;
     const auto record
         = registry ? certificateWithFile(*registry, sha256OfFile(path)) : std::nullopt;
     if (!registry || !record) {
@@ -162,7 +185,7 @@ Verified verifySingle(const std::string &path, CertificateRegister *registry)
         one.status = Status::Unreadable;
         one.firstDifference = Message{
             DYNCAL_TEXT("core",
-                "A single file can be verified with the registry only; name it (--registry), or the folder of the certificate."),
+                "A single file that is not signed can be verified with the registry only; name it (--registry), or the folder of the certificate."),
             {}};
         return one;
     }
@@ -172,10 +195,10 @@ Verified verifySingle(const std::string &path, CertificateRegister *registry)
             = Message{DYNCAL_TEXT("core", "The registry knows no certificate with this file."), {}};
         return one;
     }
-    one.status = Status::Unsigned;
     one.number = (*record)->number;
     one.state = certificateStateName((*record)->state);
-    one.remarks = remarksOn(**record);
+    const std::vector<Message> remarks = remarksOn(**record);
+    one.remarks.insert(one.remarks.end(), remarks.begin(), remarks.end());
     return one;
 }
 
@@ -220,7 +243,7 @@ std::vector<Verified> verifyOne(
     if (extension == ".dyncal")
         return {verifyProject(file)};
     if (extension == ".pdf" || extension == ".json" || extension == ".jsonl" || extension == ".xml")
-        return {verifySingle(file, registry)};
+        return {verifySingle(file, registry, options.trust)};
     return {verifyRecording(file)};
 }
 

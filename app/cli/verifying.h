@@ -4,6 +4,7 @@
 #pragma once
 
 #include "app/cli/verified.h"
+#include "core/signing/signature_check.h"
 #include "registry/certificates/certificate_register.h"
 
 namespace dyncal {
@@ -14,6 +15,7 @@ struct VerifyOptions
     std::vector<std::string> files; ///< files, folders and addresses of registries
     std::string registry; ///< address; empty: none
     std::vector<std::string> recordings; ///< folders in which the recordings are looked for
+    TrustSettings trust; ///< against which signatures are held
 };
 
 /// Verifies every file and every issued folder in or below a folder; what cannot be read has that

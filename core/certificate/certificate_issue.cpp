@@ -18,16 +18,26 @@ CertificateField replacedField(const CertificateIssue &issue)
             {issue.amends, issue.reason}}};
 }
 
+Message stateOf(const CertificateIssue &issue)
+{
+    if (issue.isSigned && issue.amends.empty())
+        return {DYNCAL_TEXT("core", "issued, with an electronic signature in this file"), {}};
+    if (issue.isSigned)
+        return {DYNCAL_TEXT(
+                    "core", "issued as an amendment, with an electronic signature in this file"),
+            {}};
+    if (issue.amends.empty())
+        return {DYNCAL_TEXT("core", "issued, not signed"), {}};
+    return {DYNCAL_TEXT("core", "issued as an amendment, not signed"), {}};
+}
+
 CertificateSection issueSection(const CertificateIssue &issue)
 {
     CertificateSection section;
     section.id = "issue";
     section.title = {DYNCAL_TEXT("core", "Issue"), {}};
     section.fields = {
-        {"state", {DYNCAL_TEXT("core", "State"), {}},
-            issue.amends.empty()
-                ? Message{DYNCAL_TEXT("core", "issued, not signed"), {}}
-                : Message{DYNCAL_TEXT("core", "issued as an amendment, not signed"), {}}},
+        {"state", {DYNCAL_TEXT("core", "State"), {}}, stateOf(issue)},
         {"trail_head", {DYNCAL_TEXT("core", "Audit trail before issuing (SHA-256)"), {}},
             verbatim(issue.head)},
         {"results_sha256", {DYNCAL_TEXT("core", "SHA-256 of results.json"), {}},
@@ -60,6 +70,8 @@ void markIssued(const CertificateIssue &issue, CertificateData &data)
     data.marks = {{"number", issue.number}, {"amends", issue.amends}, {"head", issue.head},
         {"results", issue.resultsSha256}};
     data.attachments = issue.attachments;
+    if (issue.isSigned)
+        data.marks.emplace_back(kSignedMark, "true");
     if (!issue.amends.empty() && !data.sections.empty())
         data.sections.front().fields.push_back(replacedField(issue));
     stateTraceability(data);

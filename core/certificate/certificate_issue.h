@@ -19,10 +19,14 @@ struct CertificateIssue
     std::string reason = {}; ///< of the amendment: what changed
     std::string head = {}; ///< SHA-256 of the last entry of the audit trail before issuing
     std::string resultsSha256 = {}; ///< of results.json beside it
+    bool isSigned = false; ///< the file will be, when it is whole
     std::vector<CertificateAttachment> attachments = {}; ///< inside its PDF
     /// For that of the template (certificate_history.h), where it has one.
     std::optional<CertificateSection> history = {};
 };
+
+/// Mark of a certificate whose file is signed when it is whole.
+inline constexpr const char *kSignedMark = "signed";
 
 /// Makes the certificate an issued one: number, state, what it replaces, and what it is bound to.
 void markIssued(const CertificateIssue &issue, CertificateData &data);

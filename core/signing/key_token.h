@@ -12,7 +12,7 @@ namespace dyncal {
 /// Whether it is a URI of a token (RFC 7512) rather than a file.
 bool isTokenUri(const std::string &source);
 
-/// Key and certificate of a token, through OpenSSL's engine pkcs11 (adr/0029). The key stays in the
+/// Key and certificate of a token, through OpenSSL's engine pkcs11 (adr/0031). The key stays in the
 /// token. Errors as SigningKey::open() has them.
 Result<KeyMaterial> keyOfToken(const std::string &uri, const SecretBytes &pin);
 

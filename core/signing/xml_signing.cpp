@@ -31,7 +31,7 @@ std::string digestOf(xmlDoc *document)
 }
 
 /// The element Signature; empty where the key refuses. xmlsec takes no keys of OpenSSL's engines,
-/// so that it only judges what is made here (adr/0029).
+/// so that it only judges what is made here (adr/0031).
 std::string signatureOver(const std::string &digest, const KeyMaterial &state)
 {
     EVP_PKEY *key = state.key.get();

@@ -35,7 +35,7 @@ public:
         write("index.txt", "");
         write("serial", "01\n");
         isMade = request("root", "Test Authority", {"-newkey", "rsa:2048"})
-            && certify("root", "root", {"-selfsign"});
+            && certify("root", "root", {"-selfsign", "-keyfile", path("root.key")});
     }
 
     bool isMade = false;
@@ -65,9 +65,24 @@ public:
         const QString &until = kUntil) const
     {
         const bool made = request(name, subject, key)
-            && certify(name, section, {"-cert", path("root.pem")}, from, until);
+            && certify(name, section, {"-cert", path("root.pem"), "-keyfile", path("root.key")},
+                from, until);
         write(name + ".all.pem",
             content(name + ".key") + content(name + ".pem") + content("root.pem"));
+        return made;
+    }
+
+    /// The same certified by another of these keys, which is of section "root" itself; above it are
+    /// both in NAME.all.pem.
+    bool makeUnder(const std::string &issuer, const std::string &name, const QString &subject,
+        const QString &section = "signer") const
+    {
+        const QString above = path(QString::fromStdString(issuer));
+        const bool made = request(name, subject, {"-newkey", "rsa:2048"})
+            && certify(name, section, {"-cert", above + ".pem", "-keyfile", above + ".key"});
+        write(name + ".all.pem",
+            content(name + ".key") + content(name + ".pem") + content(issuer + ".pem")
+                + content("root.pem"));
         return made;
     }
 
@@ -92,10 +107,9 @@ private:
         const QString &from = kFrom, const QString &until = kUntil) const
     {
         const QString base = path(QString::fromStdString(name));
-        return openssl(
-            QStringList{"ca", "-batch", "-notext", "-utf8", "-config", path("ca.cnf"), "-keyfile",
-                path("root.key"), "-in", base + ".csr", "-out", base + ".pem", "-extensions",
-                section, "-startdate", from, "-enddate", until}
+        return openssl(QStringList{"ca", "-batch", "-notext", "-utf8", "-config", path("ca.cnf"),
+                           "-in", base + ".csr", "-out", base + ".pem", "-extensions", section,
+                           "-startdate", from, "-enddate", until}
             + by);
     }
 

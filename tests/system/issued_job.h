@@ -62,6 +62,9 @@ struct IssuedJob
     {
         return runDyncal(QStringList{"issue", path("job.dyncal"), "-o", output(), "--registry",
                              registry(), "--json"}
+                + (more.contains("--key") || more.contains("--seal-command")
+                        ? QStringList{}
+                        : QStringList{"--unsigned"})
                 + more,
             environment);
     }

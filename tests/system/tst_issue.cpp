@@ -362,7 +362,8 @@ void TestIssue::killedAtAnyMoment_goesOn()
     for (int i = 0; i < dyncal::trials::count(4, 60); ++i) {
         QProcess process;
         process.start(qEnvironmentVariable("DYNCAL_BINARY"),
-            {"issue", job.path("job.dyncal"), "-o", job.output(), "--registry", job.registry()});
+            {"issue", job.path("job.dyncal"), "-o", job.output(), "--registry", job.registry(),
+                "--unsigned"});
         QVERIFY(process.waitForStarted());
         QThread::usleep(static_cast<unsigned long>(random() % longest));
         process.kill();
@@ -493,9 +494,9 @@ void TestIssue::wrongUsage_isSaid()
     for (const QStringList &more : {QStringList{"--amends", "1"}, QStringList{"--reason", "x"},
              QStringList{"--amends", "0", "--reason", "x"}, QStringList{"--languages", "xx"},
              QStringList{"--registry", "mysql://host/db"}}) {
-        const Answer answer
-            = runDyncal(QStringList{"issue", job.path("job.dyncal"), "-o", job.output()} + more,
-                {"XDG_DATA_HOME=" + job.path("data")});
+        const Answer answer = runDyncal(
+            QStringList{"issue", job.path("job.dyncal"), "-o", job.output(), "--unsigned"} + more,
+            {"XDG_DATA_HOME=" + job.path("data")});
         QVERIFY2(answer.exitCode == 4, answer.err);
         QCOMPARE(answer.complaints().size(), 1);
     }
@@ -508,7 +509,8 @@ void TestIssue::wrongUsage_isSaid()
                      .exitCode,
             3);
     QVERIFY(!QFile::exists(job.path("none")));
-    QCOMPARE(runDyncal({"issue", job.path("shot.h5"), "-o", job.output()}).exitCode, 3);
+    QCOMPARE(
+        runDyncal({"issue", job.path("shot.h5"), "-o", job.output(), "--unsigned"}).exitCode, 3);
 }
 
 DYNCAL_TEST(TestIssue)

@@ -23,7 +23,7 @@ struct Laboratory
     }
     QStringList issue() const
     {
-        return withRegistry({"issue", job.path("job.dyncal"), "-o", job.output()});
+        return withRegistry({"issue", job.path("job.dyncal"), "-o", job.output(), "--unsigned"});
     }
     QJsonArray numbers() const
     {

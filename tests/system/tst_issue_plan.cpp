@@ -24,8 +24,9 @@ private:
     }
     Answer issue(const QStringList &more = {}) const
     {
-        return runDyncal(QStringList{"issue", path("stock.jsonl"), "-o", path("certificates"),
-                             "--registry", path("registry.sqlite"), "--by", "A. Berg", "--json"}
+        return runDyncal(
+            QStringList{"issue", path("stock.jsonl"), "-o", path("certificates"), "--registry",
+                path("registry.sqlite"), "--by", "A. Berg", "--unsigned", "--json"}
                 + more,
             {"SOURCE_DATE_EPOCH=1767225600"});
     }
@@ -119,7 +120,7 @@ private slots:
     {
         writeBytes(path("broken.jsonl"), "{}\n");
         const Answer answer = runDyncal({"issue", path("broken.jsonl"), "-o", path("elsewhere"),
-            "--registry", path("registry.sqlite")});
+            "--registry", path("registry.sqlite"), "--unsigned"});
         QCOMPARE(answer.exitCode, 4);
         QVERIFY(!QFile::exists(path("elsewhere")));
     }

@@ -36,7 +36,7 @@ public:
         QProcess process;
         process.start(qEnvironmentVariable("DYNCAL_BINARY"),
             QStringList{"issue", m_job.path("job.dyncal"), "-o", m_job.output(), "--registry",
-                m_job.registry()}
+                m_job.registry(), "--unsigned"}
                 + amendment());
         if (!process.waitForStarted())
             return "the program does not start";

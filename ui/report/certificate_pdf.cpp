@@ -3,6 +3,7 @@
 
 #include "ui/report/certificate_pdf.h"
 
+#include "core/certificate/certificate_issue.h"
 #include "ui/report/certificate_blocks.h"
 #include "ui/report/document_archive.h"
 #include "ui/text/core_text.h"
@@ -11,6 +12,8 @@
 #include <QBuffer>
 #include <QCoreApplication>
 #include <QPdfWriter>
+
+#include <algorithm>
 
 namespace dyncal {
 
@@ -31,6 +34,12 @@ QString numberOf(const CertificateData &data)
                                  : shownText(data.number));
 }
 
+bool isSigned(const CertificateData &data)
+{
+    return std::ranges::any_of(
+        data.marks, [](const auto &mark) { return mark.first == kSignedMark; });
+}
+
 /// What stands around the text of every page.
 struct FrameTexts
 {
@@ -46,7 +55,9 @@ struct FrameTexts
         if (!data.isCertificate)
             return;
         if (!data.draft) {
-            state = QCoreApplication::translate("Report", "Issued, not signed");
+            state = isSigned(data)
+                ? QCoreApplication::translate("Report", "Issued, with an electronic signature")
+                : QCoreApplication::translate("Report", "Issued, not signed");
             return;
         }
         state = QCoreApplication::translate("Report", "Draft, not valid as a certificate");

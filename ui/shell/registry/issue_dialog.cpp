@@ -223,7 +223,8 @@ void IssueDialog::askForFolder()
 
 QStringList IssueDialog::command() const
 {
-    QStringList words{"issue", m_files.projectPath(), "-o", m_folder->text(), "--json"};
+    QStringList words{
+        "issue", m_files.projectPath(), "-o", m_folder->text(), "--unsigned", "--json"};
     const auto add = [&](const char *option, const QString &text) {
         if (!text.trimmed().isEmpty())
             words << QLatin1String(option) + text.trimmed();

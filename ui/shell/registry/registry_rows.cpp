@@ -36,6 +36,8 @@ constexpr std::array kStatuses{
     Word{"unsigned", QT_TRANSLATE_NOOP("dyncal::RegistryRows", "▲ valid, not signed")},
     Word{"changed", QT_TRANSLATE_NOOP("dyncal::RegistryRows", "■ changed")},
     Word{"missing", QT_TRANSLATE_NOOP("dyncal::RegistryRows", "■ missing")},
+    Word{"unknown-signer", QT_TRANSLATE_NOOP("dyncal::RegistryRows", "▲ unknown signer")},
+    Word{"expired", QT_TRANSLATE_NOOP("dyncal::RegistryRows", "▲ expired")},
     Word{"unreadable", QT_TRANSLATE_NOOP("dyncal::RegistryRows", "■ unreadable")},
 };
 
