@@ -793,6 +793,10 @@
         <source>End of the report</source>
         <translation>Ende des Berichts</translation>
     </message>
+    <message>
+        <source>Issued, with an electronic signature</source>
+        <translation>Ausgestellt, mit elektronischer Signatur</translation>
+    </message>
 </context>
 <context>
     <name>core</name>
@@ -3253,10 +3257,6 @@
         <translation>Das Logo %1 der Vorlage %2 lässt sich nicht zeichnen; es neu als PNG oder einfaches SVG speichern.</translation>
     </message>
     <message>
-        <source>The certificate and the plots cannot be drawn: the program found nothing to draw on; start it anew.</source>
-        <translation>Der Kalibrierschein und die Diagramme lassen sich nicht zeichnen: Das Programm fand nichts, worauf zu zeichnen wäre; es neu starten.</translation>
-    </message>
-    <message>
         <source>Channel &apos;%1&apos;: the recipe states a sensitivity of %2, the card of the sensor %3, which is %4 % different. The recipe&apos;s is used; correct it, or the card.</source>
         <translation>Kanal „%1“: Das Rezept nennt eine Empfindlichkeit von %2, die Datenkarte des Aufnehmers %3, was um %4 % abweicht. Verwendet wird die des Rezepts; sie oder die Datenkarte berichtigen.</translation>
     </message>
@@ -4105,48 +4105,28 @@
         <translation>Wahrscheinlichkeit, außerhalb der Grenze zu liegen</translation>
     </message>
     <message>
-        <source>The file &apos;%1&apos; of %2.source cannot be used. %3</source>
-        <translation>Die Datei „%1“ von %2.source ist nicht verwendbar. %3</translation>
-    </message>
-    <message>
-        <source>Shot %1: the uncertainty of the step could not be checked by Monte Carlo (%2); what the law of propagation gives may be wrong.</source>
-        <translation>Schuss %1: Die Unsicherheit des Sprungs konnte nicht durch Monte Carlo geprüft werden (%2); was das Fortpflanzungsgesetz ergibt, ist vielleicht falsch.</translation>
-    </message>
-    <message>
-        <source>%1 states %2, this calibration %3: they differ by %4 %, En = %5, more than both expanded uncertainties, and are not joined to one curve. Check unit, range, gas and mounting of either; the one that is wrong is not known.</source>
-        <translation>%1 nennt %2, diese Kalibrierung %3: Sie unterscheiden sich um %4 %, En = %5, mehr als beide erweiterten Messunsicherheiten, und werden nicht zu einer Kurve zusammengeführt. Einheit, Bereich, Gas und Einbau beider prüfen; welche falsch ist, ist nicht bekannt.</translation>
-    </message>
-    <message>
-        <source>%1 of response.known cannot be compared with this calibration: %2. Correct it, or leave it out.</source>
-        <translation>%1 von response.known lässt sich mit dieser Kalibrierung nicht vergleichen: %2. Es berichtigen oder weglassen.</translation>
-    </message>
-    <message>
-        <source>The sensitivity has no complete uncertainty (%1). State what is missing in uncertainty.budget or in the capture; without it no sensitivity is a result.</source>
-        <translation>Die Empfindlichkeit hat keine vollständige Unsicherheit (%1). Das Fehlende in uncertainty.budget oder in der Aufzeichnung angeben; ohne es ist keine Empfindlichkeit ein Ergebnis.</translation>
-    </message>
-    <message>
-        <source>A file of the folder was left out. %1</source>
-        <translation>Eine Datei des Ordners wurde weggelassen. %1</translation>
-    </message>
-    <message>
-        <source>%1: a channel was left out. %2</source>
-        <translation>%1: Ein Kanal wurde weggelassen. %2</translation>
-    </message>
-    <message>
-        <source>%1 has no channel that can be read. %2</source>
-        <translation>%1 hat keinen lesbaren Kanal. %2</translation>
-    </message>
-    <message>
-        <source>%1 What stands before was read.</source>
-        <translation>%1 Was davor steht, wurde gelesen.</translation>
-    </message>
-    <message>
-        <source>Monte Carlo: %1 of %2 trials leave the range of the relations (%3); the stated uncertainties are too large for the value.</source>
-        <translation>Monte Carlo: %1 von %2 Versuchen verlassen den Gültigkeitsbereich der Beziehungen (%3); die angegebenen Unsicherheiten sind für den Wert zu groß.</translation>
-    </message>
-    <message>
         <source>The unit &apos;%1&apos; is none that a certificate can be read in; one such as V/Pa, pC/Pa or 1 is needed.</source>
         <translation>Die Einheit „%1“ ist keine, in der ein Kalibrierschein gelesen werden kann; eine wie V/Pa, pC/Pa oder 1 wird benötigt.</translation>
+    </message>
+    <message>
+        <source>This certificate for machines (DCC)</source>
+        <translation>Dieser Kalibrierschein für Maschinen (DCC)</translation>
+    </message>
+    <message>
+        <source>All results, unrounded, with their budgets</source>
+        <translation>Alle Ergebnisse, ungerundet, mit ihren Budgets</translation>
+    </message>
+    <message>
+        <source>Every decision of the evaluation</source>
+        <translation>Jede Entscheidung der Auswertung</translation>
+    </message>
+    <message>
+        <source>issued, with an electronic signature in this file</source>
+        <translation>ausgestellt, mit elektronischer Signatur in dieser Datei</translation>
+    </message>
+    <message>
+        <source>issued as an amendment, with an electronic signature in this file</source>
+        <translation>ausgestellt als Änderung, mit elektronischer Signatur in dieser Datei</translation>
     </message>
 </context>
 </TS>

@@ -3567,6 +3567,10 @@ steget</translation>
         <source>Issued, not signed</source>
         <translation>Utfärdat, inte undertecknat</translation>
     </message>
+    <message>
+        <source>Issued, with an electronic signature</source>
+        <translation>Utfärdat, elektroniskt undertecknat</translation>
+    </message>
 </context>
 <context>
     <name>ShockBudget</name>
@@ -5380,10 +5384,6 @@ steget</translation>
     <message>
         <source>Model input: shot %1 is recorded at %2, below the model rate of %3; choose at most %2.</source>
         <translation>Modellindata: skott %1 är registrerat med %2, under modellens samplingsfrekvens %3; välj högst %2.</translation>
-    </message>
-    <message>
-        <source>The certificate and the plots cannot be drawn: the program found nothing to draw on; start it anew.</source>
-        <translation>Kalibreringsbeviset och diagrammen kan inte ritas: programmet hittade inget att rita på; starta om det.</translation>
     </message>
     <message>
         <source>%1 states a sampling interval of %2 s for channel %3, which cannot be; state the sample rate in the recipe&apos;s import section if it is known.</source>
@@ -7790,10 +7790,6 @@ steget</translation>
         <translation>Certifikatets lista behöver frekvenser, belopp i %1 och eventuellt faser, lika många av varje, med utvidgade osäkerheter och deras täckningsfaktorer.</translation>
     </message>
     <message>
-        <source>The file is XML, but no digital calibration certificate (%1); give that, or a table as CSV.</source>
-        <translation>Filen är XML, men inget digitalt kalibreringscertifikat (%1); ange ett sådant, eller en tabell som CSV.</translation>
-    </message>
-    <message>
         <source>The table has no rows.</source>
         <translation>Tabellen har inga rader.</translation>
     </message>
@@ -8834,10 +8830,6 @@ steget</translation>
         <translation>Registreringarna eftersöktes inte (--recordings MAPP).</translation>
     </message>
     <message>
-        <source>A single file can be verified with the registry only; name it (--registry), or the folder of the certificate.</source>
-        <translation>En enskild fil kan bara kontrolleras mot registret; ange det (--registry), eller bevisets mapp.</translation>
-    </message>
-    <message>
         <source>The registry knows no certificate with this file.</source>
         <translation>Registret känner inget bevis med denna fil.</translation>
     </message>
@@ -9390,54 +9382,6 @@ steget</translation>
         <translation>%1 värden av S(f), från %2 till %3, ligger utanför de frekvenser som laboratoriet anger en mätförmåga (CMC) för; beviset märker dem som utanför omfattningen.</translation>
     </message>
     <message>
-        <source>A file of the folder was left out. %1</source>
-        <translation>En fil i mappen utelämnades. %1</translation>
-    </message>
-    <message>
-        <source>The project could not be saved as %1 (%2); choose another place.</source>
-        <translation>Projektet kunde inte sparas som %1 (%2); välj en annan plats.</translation>
-    </message>
-    <message>
-        <source>%1: a channel was left out. %2</source>
-        <translation>%1: en kanal utelämnades. %2</translation>
-    </message>
-    <message>
-        <source>%1 has no channel that can be read. %2</source>
-        <translation>%1 har ingen kanal som kan läsas. %2</translation>
-    </message>
-    <message>
-        <source>%1 What stands before was read.</source>
-        <translation>%1 Det som står före lästes.</translation>
-    </message>
-    <message>
-        <source>Monte Carlo: %1 of %2 trials leave the range of the relations (%3); the stated uncertainties are too large for the value.</source>
-        <translation>Monte Carlo: %1 av %2 försök lämnar sambandens giltighetsområde (%3); de angivna osäkerheterna är för stora för värdet.</translation>
-    </message>
-    <message>
-        <source>Shot %1: the uncertainty of the step could not be checked by Monte Carlo (%2); what the law of propagation gives may be wrong.</source>
-        <translation>Skott %1: stegets osäkerhet kunde inte kontrolleras med Monte Carlo (%2); vad fortplantningslagen ger kan vara fel.</translation>
-    </message>
-    <message>
-        <source>The sensitivity has no complete uncertainty (%1). State what is missing in uncertainty.budget or in the capture; without it no sensitivity is a result.</source>
-        <translation>Känsligheten har ingen fullständig osäkerhet (%1). Ange det som saknas i uncertainty.budget eller i registreringen; utan den är ingen känslighet ett resultat.</translation>
-    </message>
-    <message>
-        <source>The file &apos;%1&apos; of %2.source cannot be used. %3</source>
-        <translation>Filen &apos;%1&apos; i %2.source kan inte användas. %3</translation>
-    </message>
-    <message>
-        <source>%1: %2</source>
-        <translation>%1: %2</translation>
-    </message>
-    <message>
-        <source>%1 states %2, this calibration %3: they differ by %4 %, En = %5, more than both expanded uncertainties, and are not joined to one curve. Check unit, range, gas and mounting of either; the one that is wrong is not known.</source>
-        <translation>%1 anger %2, denna kalibrering %3: de skiljer sig med %4 %, En = %5, mer än båda utvidgade osäkerheterna, och förenas inte till en kurva. Kontrollera enhet, område, gas och montering för båda; vilken som är fel är inte känt.</translation>
-    </message>
-    <message>
-        <source>%1 of response.known cannot be compared with this calibration: %2. Correct it, or leave it out.</source>
-        <translation>%1 i response.known kan inte jämföras med denna kalibrering: %2. Rätta det, eller utelämna det.</translation>
-    </message>
-    <message>
         <source>%V1 cannot be read, or is empty; give a digital calibration certificate.</source>
         <translation>%V1 kan inte läsas eller är tom; ange ett digitalt kalibreringscertifikat.</translation>
     </message>
@@ -9664,6 +9608,486 @@ steget</translation>
     <message>
         <source>The file is nested deeper than 100 elements, which no digital calibration certificate is; give another file.</source>
         <translation>Filen är nästlad djupare än 100 element, vilket inget digitalt kalibreringscertifikat är; ange en annan fil.</translation>
+    </message>
+    <message>
+        <source>The certificate states no serial number of its item, or not which of its numbers that is.</source>
+        <translation>Certifikatet anger inget serienummer för sitt kalibreringsobjekt, eller inte vilket av dess nummer som är det.</translation>
+    </message>
+    <message>
+        <source>The certificate is of several items (%1), and it is not said which of them the results are of.</source>
+        <translation>Certifikatet gäller flera objekt (%1), och det sägs inte vilket av dem resultaten gäller.</translation>
+    </message>
+    <message>
+        <source>The result &apos;%1&apos; in line %2 is not known as sensitivity, natural frequency or damping ratio, or is not the only one.</source>
+        <translation>Resultatet ”%1” på rad %2 är inte känt som känslighet, egenfrekvens eller dämpningsgrad, eller är inte det enda.</translation>
+    </message>
+    <message>
+        <source>The list in line %1 is a response over frequency, but so is another, and which is meant is not guessed.</source>
+        <translation>Listan på rad %1 är ett svar över frekvens, men det är en annan också, och vilken som avses gissas inte.</translation>
+    </message>
+    <message>
+        <source>%1 rows of the response over frequency state no value (NaN).</source>
+        <translation>%1 rader av svaret över frekvens anger inget värde (NaN).</translation>
+    </message>
+    <message>
+        <source>Line %1, %2: &apos;%3&apos; has a comma; numbers of a certificate have a point as decimal mark, and which is meant is not guessed.</source>
+        <translation>Rad %1, %2: ”%3” har ett komma; tal i ett certifikat har punkt som decimaltecken, och vad som avses gissas inte.</translation>
+    </message>
+    <message>
+        <source>Line %1, %2: &apos;%3&apos; is no finite number, and one is needed.</source>
+        <translation>Rad %1, %2: ”%3” är inget ändligt tal, och ett sådant behövs.</translation>
+    </message>
+    <message>
+        <source>Line %1, %2: it has %3 entries for %4 values; one for all or one for each is needed.</source>
+        <translation>Rad %1, %2: den har %3 poster för %4 värden; en för alla eller en för varje behövs.</translation>
+    </message>
+    <message>
+        <source>Line %1, %2: &apos;%3&apos; is no unit that is known here; a unit of the D-SI, such as \volt\pascal\tothe{-1}, is needed.</source>
+        <translation>Rad %1, %2: ”%3” är ingen enhet som är känd här; en enhet enligt D-SI, som \volt\pascal\tothe{-1}, behövs.</translation>
+    </message>
+    <message>
+        <source>Line %1, %2: the units &apos;%3&apos; and &apos;%4&apos; stand in one list; values of one unit are needed.</source>
+        <translation>Rad %1, %2: enheterna ”%3” och ”%4” står i en och samma lista; värden i en enhet behövs.</translation>
+    </message>
+    <message>
+        <source>Line %1, %2: it has the element %3 more than once; one is needed.</source>
+        <translation>Rad %1, %2: den har elementet %3 mer än en gång; ett behövs.</translation>
+    </message>
+    <message>
+        <source>Line %1, %2: it lacks the element %3, without which it says nothing.</source>
+        <translation>Rad %1, %2: den saknar elementet %3, och utan det säger den inget.</translation>
+    </message>
+    <message>
+        <source>Line %1, %2: a value or its uncertainty is beyond 1e308 in %3, which nothing measured is.</source>
+        <translation>Rad %1, %2: ett värde eller dess osäkerhet är bortom 1e308 i %3, och så stort är inget som mäts.</translation>
+    </message>
+    <message>
+        <source>Line %1, %2: its unit, or whether it has an uncertainty, is not as in the entries before it; a list of one kind is needed.</source>
+        <translation>Rad %1, %2: dess enhet, eller om den har en osäkerhet, är inte som i posterna före; en lista av ett slag behövs.</translation>
+    </message>
+    <message>
+        <source>Line %1, %2: the list is empty, and values are needed.</source>
+        <translation>Rad %1, %2: listan är tom, och värden behövs.</translation>
+    </message>
+    <message>
+        <source>Line %1, %2: its phase is in %3; one in \radian or \degree is needed.</source>
+        <translation>Rad %1, %2: dess fas är i %3; en i \radian eller \degree behövs.</translation>
+    </message>
+    <message>
+        <source>Line %1, %2: value %3 is 0, so its phase and the uncertainty of it are not determined.</source>
+        <translation>Rad %1, %2: värde %3 är 0, så dess fas och fasens osäkerhet är inte bestämda.</translation>
+    </message>
+    <message>
+        <source>Line %1, %2: this form of a quantity is not understood; one of the D-SI&apos;s real, complex or constant values or lists of them is needed.</source>
+        <translation>Rad %1, %2: den här formen av en storhet förstås inte; ett av D-SI:s reella, komplexa eller konstanta värden eller listor av dem behövs.</translation>
+    </message>
+    <message>
+        <source>Line %1, %2: its %3 is below 0, which no uncertainty is.</source>
+        <translation>Rad %1, %2: dess %3 är under 0, och det är ingen osäkerhet.</translation>
+    </message>
+    <message>
+        <source>Line %1, %2: its %3 is not above 0, so the standard uncertainty does not follow.</source>
+        <translation>Rad %1, %2: dess %3 är inte över 0, så standardosäkerheten följer inte.</translation>
+    </message>
+    <message>
+        <source>Line %1, %2: this statement of the uncertainty is not understood, or is the second one; the quantity is not read without it.</source>
+        <translation>Rad %1, %2: den här uppgiften om osäkerheten förstås inte, eller är den andra; storheten läses inte utan den.</translation>
+    </message>
+    <message>
+        <source>Line %1, %2: the covariance is in %3, where the values ask for %4.</source>
+        <translation>Rad %1, %2: kovariansen är i %3, där värdena kräver %4.</translation>
+    </message>
+    <message>
+        <source>Line %1, %2: it has not two columns with two entries each, which both parts of a complex value ask for.</source>
+        <translation>Rad %1, %2: den har inte två kolumner med två poster vardera, som de båda delarna av ett komplext värde kräver.</translation>
+    </message>
+    <message>
+        <source>Line %1, %2: it is no covariance: not symmetric, negative on its diagonal, or correlated by more than 1.</source>
+        <translation>Rad %1, %2: den är ingen kovarians: inte symmetrisk, negativ på diagonalen eller korrelerad med mer än 1.</translation>
+    </message>
+    <message>
+        <source>The file is XML, but no digital calibration certificate (it holds &apos;%1&apos;); give one, or a table as CSV.</source>
+        <translation>Filen är XML, men inget digitalt kalibreringscertifikat (den innehåller ”%1”); ange ett sådant, eller en tabell som CSV.</translation>
+    </message>
+    <message>
+        <source>The digital calibration certificate is of version &apos;%1&apos; (schemaVersion), and versions 3.0 to 3.3 are read; ask its laboratory for one of them.</source>
+        <translation>Det digitala kalibreringscertifikatet är av version ”%1” (schemaVersion), och versionerna 3.0 till 3.3 läses; be dess laboratorium om en av dem.</translation>
+    </message>
+    <message>
+        <source>Line %1, %2: a relative uncertainty has no coverage factor, so it is not taken; the values beside it are read without uncertainty.</source>
+        <translation>Rad %1, %2: en relativ osäkerhet har ingen täckningsfaktor, så den används inte; värdena bredvid läses utan osäkerhet.</translation>
+    </message>
+    <message>
+        <source>The list in line %1 of the certificate has no frequencies in hertz, which a response over frequency needs.</source>
+        <translation>Listan på rad %1 i certifikatet har inga frekvenser i hertz, vilket ett svar över frekvens behöver.</translation>
+    </message>
+    <message>
+        <source>The list in line %1 of the certificate has several quantities in hertz (lines %2), and which of them are the frequencies is not guessed; its laboratory must mark them by a refType.</source>
+        <translation>Listan på rad %1 i certifikatet har flera storheter i hertz (raderna %2), och vilka av dem som är frekvenserna gissas inte; dess laboratorium måste märka dem med en refType.</translation>
+    </message>
+    <message>
+        <source>The list in line %1 of the certificate has no magnitudes in the unit of a sensitivity, such as V/Pa, V/N or V/(m/s2).</source>
+        <translation>Listan på rad %1 i certifikatet har inga belopp i enheten för en känslighet, som V/Pa, V/N eller V/(m/s2).</translation>
+    </message>
+    <message>
+        <source>The list in line %1 of the certificate has no magnitudes in %3, which are asked for.</source>
+        <translation>Listan på rad %1 i certifikatet har inga belopp i %3, vilka efterfrågas.</translation>
+    </message>
+    <message>
+        <source>The list in line %1 of the certificate has several quantities in the unit of a sensitivity (lines %2), and which of them is meant is not guessed; its laboratory must mark it by a refType.</source>
+        <translation>Listan på rad %1 i certifikatet har flera storheter i enheten för en känslighet (raderna %2), och vilken av dem som avses gissas inte; dess laboratorium måste märka den med en refType.</translation>
+    </message>
+    <message>
+        <source>The list in line %1 of the certificate has several angles (lines %2), and which of them are the phases is not guessed; its laboratory must mark them by a refType.</source>
+        <translation>Listan på rad %1 i certifikatet har flera vinklar (raderna %2), och vilka av dem som är faserna gissas inte; dess laboratorium måste märka dem med en refType.</translation>
+    </message>
+    <message>
+        <source>The list in line %1 of the certificate has %2 frequencies and, in line %3, %4 values; as many of each are needed.</source>
+        <translation>Listan på rad %1 i certifikatet har %2 frekvenser och, på rad %3, %4 värden; lika många av varje behövs.</translation>
+    </message>
+    <message>
+        <source>The frequencies in line %1 of the certificate are not all above 0; which rows are meant is not guessed.</source>
+        <translation>Frekvenserna på rad %1 i certifikatet är inte alla över 0; vilka rader som avses gissas inte.</translation>
+    </message>
+    <message>
+        <source>The list in line %1 of the certificate states no magnitude at any frequency (NaN only).</source>
+        <translation>Listan på rad %1 i certifikatet anger inget belopp vid någon frekvens (bara NaN).</translation>
+    </message>
+    <message>
+        <source>The XML file is not in UTF-8, nor does it say that it is in UTF-16 or ISO-8859-1, so its text is unknown; save it as UTF-8.</source>
+        <translation>XML-filen är inte i UTF-8 och säger inte heller att den är i UTF-16 eller ISO-8859-1, så dess text är okänd; spara den som UTF-8.</translation>
+    </message>
+    <message>
+        <source>The XML file has %1 bytes and %2 tags, more than the %3 bytes and %4 tags that a certificate may have; take out what is embedded in it.</source>
+        <translation>XML-filen har %1 byte och %2 taggar, fler än de %3 byte och %4 taggar som ett certifikat får ha; ta bort det som är inbäddat i den.</translation>
+    </message>
+    <message>
+        <source>Line %1 of the XML file is malformed (%2); restore the file as its laboratory sent it.</source>
+        <translation>Rad %1 i XML-filen är felaktig (%2); återställ filen som dess laboratorium sände den.</translation>
+    </message>
+    <message>
+        <source>The XML file has a document type (DOCTYPE), which may make it grow or fetch other files, and which no certificate needs; it is not read.</source>
+        <translation>XML-filen har en dokumenttyp (DOCTYPE), som kan få den att växa eller hämta andra filer och som inget certifikat behöver; den läses inte.</translation>
+    </message>
+    <message>
+        <source>The elements of the XML file are nested deeper than %1 levels, which no certificate needs; it is not read.</source>
+        <translation>XML-filens element ligger i varandra djupare än %1 nivåer, vilket inget certifikat behöver; den läses inte.</translation>
+    </message>
+    <message>
+        <source>The XML file has several elements that hold everything, where one is needed; restore the file as its laboratory sent it.</source>
+        <translation>XML-filen har flera element som omfattar allt, där ett behövs; återställ filen som dess laboratorium sände den.</translation>
+    </message>
+    <message>
+        <source>%1 does not say when the calibration was: its certificate has no day (endPerformanceDate) such as 2026-01-31; ask its laboratory.</source>
+        <translation>%1 säger inte när kalibreringen gjordes: dess certifikat har ingen dag (endPerformanceDate) som 2026-01-31; fråga dess laboratorium.</translation>
+    </message>
+    <message>
+        <source>%1 cannot be read; check the path and the rights of the file.</source>
+        <translation>%1 kan inte läsas; kontrollera sökvägen och filens rättigheter.</translation>
+    </message>
+    <message>
+        <source>The unit &apos;%1&apos; is none that a certificate can be read in; one such as V/Pa, pC/Pa or 1 is needed.</source>
+        <translation>Enheten ”%1” är ingen som ett certifikat kan läsas i; en som V/Pa, pC/Pa eller 1 behövs.</translation>
+    </message>
+    <message>
+        <source>This certificate for machines (DCC)</source>
+        <translation>Detta bevis för maskiner (DCC)</translation>
+    </message>
+    <message>
+        <source>All results, unrounded, with their budgets</source>
+        <translation>Alla resultat, oavrundade, med sina budgetar</translation>
+    </message>
+    <message>
+        <source>Every decision of the evaluation</source>
+        <translation>Varje beslut i utvärderingen</translation>
+    </message>
+    <message>
+        <source>The document was drawn, but what an archive asks of a PDF could not be added to it (%1); please report this.</source>
+        <translation>Dokumentet ritades, men det som ett arkiv kräver av en PDF kunde inte läggas till (%1); rapportera gärna detta.</translation>
+    </message>
+    <message>
+        <source>The PDF lacks %1, which an archive needs.</source>
+        <translation>PDF-filen saknar %1, som ett arkiv behöver.</translation>
+    </message>
+    <message>
+        <source>The PDF says two things of %1.</source>
+        <translation>PDF-filen säger två olika saker om %1.</translation>
+    </message>
+    <message>
+        <source>The file %1 inside the PDF lacks %2, or has a wrong one.</source>
+        <translation>Filen %1 inuti PDF-filen saknar %2 eller har fel värde där.</translation>
+    </message>
+    <message>
+        <source>The font %1 of the PDF is not embedded.</source>
+        <translation>PDF-filens typsnitt %1 är inte inbäddat.</translation>
+    </message>
+    <message>
+        <source>The PDF holds %1, which an archive may not hold.</source>
+        <translation>PDF-filen innehåller %1, som ett arkiv inte får innehålla.</translation>
+    </message>
+    <message>
+        <source>The PDF cannot be read (%1): it is damaged, encrypted or written in another form than certificates are; take an unchanged copy of it.</source>
+        <translation>PDF-filen kan inte läsas (%1): den är skadad, krypterad eller skriven i en annan form än bevisens; använd en oförändrad kopia av den.</translation>
+    </message>
+    <message>
+        <source>The file %1 inside certificate.pdf stands where %2 belongs, or is said to be something else.</source>
+        <translation>Filen %1 inuti certificate.pdf står där %2 hör hemma, eller anges vara något annat.</translation>
+    </message>
+    <message>
+        <source>%1 inside certificate.pdf is not the file %1 beside it.</source>
+        <translation>%1 inuti certificate.pdf är inte filen %1 bredvid.</translation>
+    </message>
+    <message>
+        <source>%1 is missing inside certificate.pdf.</source>
+        <translation>%1 saknas inuti certificate.pdf.</translation>
+    </message>
+    <message>
+        <source>certificate.pdf has a file inside that does not belong there: %1.</source>
+        <translation>certificate.pdf innehåller en fil som inte hör dit: %1.</translation>
+    </message>
+    <message>
+        <source>Say who signs the certificate by one of --key and --seal-command, or that nobody does by --unsigned.</source>
+        <translation>Ange vem som undertecknar beviset med antingen --key eller --seal-command, eller med --unsigned att ingen gör det.</translation>
+    </message>
+    <message>
+        <source>A time stamp (--tsa) is put over a signature, and --unsigned asks for none; leave one of them out.</source>
+        <translation>En tidsstämpel (--tsa) sätts över en signatur, och --unsigned begär ingen; utelämna ett av dem.</translation>
+    </message>
+    <message>
+        <source>--pin-fd gives the PIN or passphrase of a key; name the key by --key.</source>
+        <translation>--pin-fd ger en nyckels PIN eller lösenfras; ange nyckeln med --key.</translation>
+    </message>
+    <message>
+        <source>%1 is no moment (--at); write it in UTC as 2026-01-31T12:00:00Z, or a day as 2026-01-31.</source>
+        <translation>%1 är ingen tidpunkt (--at); skriv den i UTC som 2026-01-31T12:00:00Z, eller en dag som 2026-01-31.</translation>
+    </message>
+    <message>
+        <source>A single file that is not signed can be verified with the registry only; name it (--registry), or the folder of the certificate.</source>
+        <translation>En enskild fil som inte är undertecknad kan bara kontrolleras mot registret; ange det (--registry), eller bevisets mapp.</translation>
+    </message>
+    <message>
+        <source>issued, with an electronic signature in this file</source>
+        <translation>utfärdat, elektroniskt undertecknat i denna fil</translation>
+    </message>
+    <message>
+        <source>issued as an amendment, with an electronic signature in this file</source>
+        <translation>utfärdat som ändring, elektroniskt undertecknat i denna fil</translation>
+    </message>
+    <message>
+        <source>The signature is no detached CMS with one signer and the certificate of that signer: it was changed, or is of a kind that is not read here.</source>
+        <translation>Signaturen är ingen fristående CMS med en undertecknare och dennes certifikat: den har ändrats, eller är av ett slag som inte läses här.</translation>
+    </message>
+    <message>
+        <source>The signature rests on a hash that is not accepted: SHA-256, SHA-384 and SHA-512 are.</source>
+        <translation>Signaturen vilar på ett hashvärde som inte godtas: SHA-256, SHA-384 och SHA-512 godtas.</translation>
+    </message>
+    <message>
+        <source>What was signed is not what stands there now: it was changed.</source>
+        <translation>Det som signerades är inte det som står där nu: det har ändrats.</translation>
+    </message>
+    <message>
+        <source>The signature was not made by the key of the certificate beside it: one of both was changed.</source>
+        <translation>Signaturen gjordes inte med nyckeln till certifikatet bredvid: ett av dem har ändrats.</translation>
+    </message>
+    <message>
+        <source>The key of %1 does not sign; where it is one of a token, look whether the token is still there and unlocked.</source>
+        <translation>Nyckeln för %1 signerar inte; hör den till en token, se efter om denna ännu sitter i och är upplåst.</translation>
+    </message>
+    <message>
+        <source>%1 is no address of a time-stamping authority that can be asked: it must be http://HOST[:PORT]/PATH. Plain http is enough, because the time stamp is signed itself.</source>
+        <translation>%1 är ingen adress till en tidsstämplingstjänst som kan frågas: den ska vara http://HOST[:PORT]/PATH. Vanlig http räcker, eftersom tidsstämpeln själv är signerad.</translation>
+    </message>
+    <message>
+        <source>%1 cannot be reached, or did not answer in time or with what was asked for; look whether the address is right and the network is there, or leave the time stamp out.</source>
+        <translation>%1 kan inte nås, eller svarade inte i tid eller inte med det som begärdes; se efter om adressen är rätt och nätet finns, eller utelämna tidsstämpeln.</translation>
+    </message>
+    <message>
+        <source>The key in %1 has a passphrase, and none was given; give it by --pin-fd N.</source>
+        <translation>Nyckeln i %1 har en lösenfras, och ingen gavs; ge den med --pin-fd N.</translation>
+    </message>
+    <message>
+        <source>The passphrase does not open the key in %1; give the right one.</source>
+        <translation>Lösenfrasen öppnar inte nyckeln i %1; ge den rätta.</translation>
+    </message>
+    <message>
+        <source>%1 holds no private key together with its certificate; give a PKCS#12 file, or a PEM file with both.</source>
+        <translation>%1 innehåller ingen privat nyckel tillsammans med dess certifikat; ge en PKCS#12-fil, eller en PEM-fil med båda.</translation>
+    </message>
+    <message>
+        <source>The key file %1 cannot be read, is empty or has more than %2 bytes; give a PKCS#12 or PEM file that you may read.</source>
+        <translation>Nyckelfilen %1 kan inte läsas, är tom eller har fler än %2 byte; ge en PKCS#12- eller PEM-fil som du får läsa.</translation>
+    </message>
+    <message>
+        <source>The URI of the token holds a PIN, which others could read in the list of processes; leave it out and give the PIN by --pin-fd N.</source>
+        <translation>Tokenens URI innehåller en PIN, som andra kunde läsa i listan över processer; utelämna den och ge PIN med --pin-fd N.</translation>
+    </message>
+    <message>
+        <source>The library of the token (%1) cannot be used through OpenSSL&apos;s engine pkcs11; install libengine-pkcs11-openssl and name the token&apos;s library by module-path in the URI or by PKCS11_MODULE_PATH.</source>
+        <translation>Tokenens bibliotek (%1) kan inte användas genom OpenSSL:s engine pkcs11; installera libengine-pkcs11-openssl och ange tokenens bibliotek med module-path i URI:n eller med PKCS11_MODULE_PATH.</translation>
+    </message>
+    <message>
+        <source>The token gives no private key for %1 without a PIN; give it by --pin-fd N.</source>
+        <translation>Tokenen ger ingen privat nyckel för %1 utan PIN; ge den med --pin-fd N.</translation>
+    </message>
+    <message>
+        <source>The token gives no private key for %1: the PIN is wrong, or there is no such token or object; look with `pkcs11-tool --list-objects` before you try again, because tokens lock after some wrong PINs.</source>
+        <translation>Tokenen ger ingen privat nyckel för %1: PIN är fel, eller det finns ingen sådan token eller inget sådant objekt; se efter med `pkcs11-tool --list-objects` innan du försöker igen, eftersom en token låses efter några felaktiga PIN.</translation>
+    </message>
+    <message>
+        <source>The token has no certificate under %1; write the key&apos;s certificate into it under the same id (pkcs11-tool --write-object FILE --type cert --id ID).</source>
+        <translation>Tokenen har inget certifikat under %1; skriv nyckelns certifikat till den under samma id (pkcs11-tool --write-object FILE --type cert --id ID).</translation>
+    </message>
+    <message>
+        <source>The PDF cannot be signed: it does not end with a cross-reference table of the classic kind; sign it as Dyncal wrote it.</source>
+        <translation>PDF-filen kan inte signeras: den slutar inte med en korsreferenstabell av det klassiska slaget; signera den som Dyncal skrev den.</translation>
+    </message>
+    <message>
+        <source>The PDF cannot be signed: it is encrypted; sign it as Dyncal wrote it.</source>
+        <translation>PDF-filen kan inte signeras: den är krypterad; signera den som Dyncal skrev den.</translation>
+    </message>
+    <message>
+        <source>The PDF cannot be signed: it has a signature already; sign it as Dyncal wrote it.</source>
+        <translation>PDF-filen kan inte signeras: den har redan en signatur; signera den som Dyncal skrev den.</translation>
+    </message>
+    <message>
+        <source>The PDF cannot be signed: it is damaged; sign it as Dyncal wrote it.</source>
+        <translation>PDF-filen kan inte signeras: den är skadad; signera den som Dyncal skrev den.</translation>
+    </message>
+    <message>
+        <source>The signature of the PDF ends at byte %1, and the file has %2: something was added behind it.</source>
+        <translation>PDF-filens signatur slutar vid byte %1, och filen har %2: något har lagts till efter den.</translation>
+    </message>
+    <message>
+        <source>The signature of the PDF covers %1 bytes, and the file has %2: it was cut off.</source>
+        <translation>PDF-filens signatur omfattar %1 byte, och filen har %2: den har kortats av.</translation>
+    </message>
+    <message>
+        <source>The signature has %1 bytes with its certificates and time stamp, and the PDF has room for %2; leave certificates out that are not needed.</source>
+        <translation>Signaturen har %1 byte med sina certifikat och sin tidsstämpel, och PDF-filen har plats för %2; utelämna certifikat som inte behövs.</translation>
+    </message>
+    <message>
+        <source>The signature of the PDF is damaged.</source>
+        <translation>PDF-filens signatur är skadad.</translation>
+    </message>
+    <message>
+        <source>The signature of the PDF, in bytes %1 to %2, is damaged.</source>
+        <translation>PDF-filens signatur, i byte %1 till %2, är skadad.</translation>
+    </message>
+    <message>
+        <source>Signed are the bytes 0 to %1 and %2 to %3 of the PDF.</source>
+        <translation>Signerade är byte 0 till %1 och %2 till %3 av PDF-filen.</translation>
+    </message>
+    <message>
+        <source>The seal command %1 did not give a signature: it must be startable, end with exit code 0 within %2 s and write at most %3 bytes; try it by itself.</source>
+        <translation>Sigillkommandot %1 gav ingen signatur: det måste gå att starta, sluta med slutkod 0 inom %2 s och skriva högst %3 byte; pröva det för sig.</translation>
+    </message>
+    <message>
+        <source>“%1” is no command to seal with: it needs a program, and quotes that are closed.</source>
+        <translation>“%1” är inget kommando att signera med: det behöver ett program, och citattecken som är slutna.</translation>
+    </message>
+    <message>
+        <source>The seal command %1 answered, but not with a signature over the hash that it was given; see its contract in docs/signatures.md.</source>
+        <translation>Sigillkommandot %1 svarade, men inte med en signatur över det hashvärde som det fick; se dess villkor i docs/signatures.md.</translation>
+    </message>
+    <message>
+        <source>No PIN or passphrase of 1 to %2 bytes in one line can be read from file descriptor %1 (--pin-fd); open it for reading, as in `--pin-fd 3 3&lt; FILE`.</source>
+        <translation>Ingen PIN eller lösenfras på 1 till %2 byte på en rad kan läsas från fildeskriptor %1 (--pin-fd); öppna den för läsning, som i `--pin-fd 3 3&lt; FILE`.</translation>
+    </message>
+    <message>
+        <source>%1 holds no certificate that could be trusted; give a file in PEM form, with -----BEGIN CERTIFICATE-----.</source>
+        <translation>%1 innehåller inget certifikat att lita på; ge en fil i PEM-form, med -----BEGIN CERTIFICATE-----.</translation>
+    </message>
+    <message>
+        <source>It is signed by “%1”, and whether that is the laboratory is not known: name the certificate that you trust by --trust CA.pem.</source>
+        <translation>Det är signerat av “%1”, och om det är laboratoriet är inte känt: ange det certifikat som du litar på med --trust CA.pem.</translation>
+    </message>
+    <message>
+        <source>It is signed by “%1”, behind whom none of the certificates of --trust stands.</source>
+        <translation>Det är signerat av “%1”, bakom vilken inget av certifikaten i --trust står.</translation>
+    </message>
+    <message>
+        <source>The certificate of “%1” is valid from %2 to %3.</source>
+        <translation>Certifikatet för “%1” gäller från %2 till %3.</translation>
+    </message>
+    <message>
+        <source>It was not valid when it signed, at %1.</source>
+        <translation>Det gällde inte när det signerade, %1.</translation>
+    </message>
+    <message>
+        <source>It is not valid at %1, and no time stamp shows that the signature was made while it was.</source>
+        <translation>Det gäller inte %1, och ingen tidsstämpel visar att signaturen gjordes medan det gällde.</translation>
+    </message>
+    <message>
+        <source>The certificate of “%1” is not for signatures (key usage).</source>
+        <translation>Certifikatet för “%1” är inte till för signaturer (nyckelanvändning).</translation>
+    </message>
+    <message>
+        <source>The certificate in %1 (%2) does not belong to the private key there; give the certificate that was made for this key.</source>
+        <translation>Certifikatet i %1 (%2) hör inte till den privata nyckeln där; ge det certifikat som gjordes för denna nyckel.</translation>
+    </message>
+    <message>
+        <source>The key in %1 is none to sign certificates with; take an RSA key of %2 bits or more, or one of an elliptic curve.</source>
+        <translation>Nyckeln i %1 är ingen att underteckna bevis med; ta en RSA-nyckel på minst %2 bitar, eller en av en elliptisk kurva.</translation>
+    </message>
+    <message>
+        <source>The certificate of %1 is not for signatures: its key usage has neither digitalSignature nor nonRepudiation; take one that has.</source>
+        <translation>Certifikatet för %1 är inte till för signaturer: dess nyckelanvändning har varken digitalSignature eller nonRepudiation; ta ett som har det.</translation>
+    </message>
+    <message>
+        <source>The certificate of %1 is valid from %2 to %3 and not at %4, when it would sign; take one that is valid.</source>
+        <translation>Certifikatet för %1 gäller från %2 till %3 och inte %4, då det skulle signera; ta ett som gäller.</translation>
+    </message>
+    <message>
+        <source>The time-stamping authority answered, but not with a time stamp over this signature; look whether the address (--tsa) is that of an RFC 3161 service.</source>
+        <translation>Tidsstämplingstjänsten svarade, men inte med en tidsstämpel över denna signatur; se efter om adressen (--tsa) är den till en RFC 3161-tjänst.</translation>
+    </message>
+    <message>
+        <source>The time stamp is not over this signature, or was changed, and does not count.</source>
+        <translation>Tidsstämpeln är inte över denna signatur, eller har ändrats, och räknas inte.</translation>
+    </message>
+    <message>
+        <source>The time stamp (%1) is by an authority behind which none of the certificates of --trust stands, and does not count.</source>
+        <translation>Tidsstämpeln (%1) är från en tjänst bakom vilken inget av certifikaten i --trust står, och räknas inte.</translation>
+    </message>
+    <message>
+        <source>The XML document cannot be signed: it must be sound, without document type and entities, of at most %1 bytes and not signed yet.</source>
+        <translation>XML-dokumentet kan inte signeras: det måste vara helt, utan dokumenttyp och entiteter, på högst %1 byte och ännu inte signerat.</translation>
+    </message>
+    <message>
+        <source>What stands in the element %1 is not what was signed: it was changed.</source>
+        <translation>Det som står i elementet %1 är inte det som signerades: det har ändrats.</translation>
+    </message>
+    <message>
+        <source>The XML signature was not made by the key of the certificate in it: one of both was changed.</source>
+        <translation>XML-signaturen gjordes inte med nyckeln till certifikatet i den: ett av dem har ändrats.</translation>
+    </message>
+    <message>
+        <source>It is no XML document that is read: it must be sound, without document type and entities, of at most %1 bytes.</source>
+        <translation>Det är inget XML-dokument som läses: det måste vara helt, utan dokumenttyp och entiteter, på högst %1 byte.</translation>
+    </message>
+    <message>
+        <source>The XML signature is damaged, or not of the one form that is accepted: over the whole document, once, as the last element of its root, with exclusive canonicalisation, SHA-256 and the signer&apos;s certificate.</source>
+        <translation>XML-signaturen är skadad, eller inte av den enda form som godtas: över hela dokumentet, en gång, som rotens sista element, med exklusiv kanonisering, SHA-256 och undertecknarens certifikat.</translation>
+    </message>
+    <message>
+        <source>The signature of %1 cannot be looked at: the file cannot be read, or has more than %2 bytes.</source>
+        <translation>Signaturen på %1 kan inte ses efter: filen kan inte läsas, eller har fler än %2 byte.</translation>
+    </message>
+    <message>
+        <source>%1 has no signature of its own.</source>
+        <translation>%1 har ingen egen signatur.</translation>
+    </message>
+    <message>
+        <source>Only %1 is signed, %2 is not.</source>
+        <translation>Bara %1 är signerad, %2 är det inte.</translation>
+    </message>
+    <message>
+        <source>%1 is signed by “%2”, %3 by “%4”.</source>
+        <translation>%1 är signerad av “%2”, %3 av “%4”.</translation>
+    </message>
+    <message>
+        <source>The signature of %1 does not hold.</source>
+        <translation>Signaturen på %1 håller inte.</translation>
     </message>
 </context>
 <context>
@@ -11422,20 +11846,12 @@ steget</translation>
         <translation>Tidigare resultat</translation>
     </message>
     <message>
-        <source>A results.json of an earlier run or certificate: its S(f) is drawn beside this one, and nothing is changed by it</source>
-        <translation>En results.json från en tidigare körning eller ett bevis: dess S(f) ritas bredvid detta, och inget ändras av det</translation>
-    </message>
-    <message>
         <source>Earlier, %1</source>
         <translation>Tidigare, %1</translation>
     </message>
     <message>
         <source>Sensor %1, %2</source>
         <translation>Givare %1, %2</translation>
-    </message>
-    <message>
-        <source>Results (*.json);;All files (*)</source>
-        <translation>Resultat (*.json);;Alla filer (*)</translation>
     </message>
     <message>
         <source>%1: in %2, which this result is not; it is not drawn.</source>
@@ -11448,6 +11864,22 @@ steget</translation>
     <message>
         <source>%1: %2 of %3 rows agree within U; the largest |E_n| is %4, at %5. What both share, tube, references and method, is in both U: an |E_n| below 1 does not show that nothing changed.</source>
         <translation>%1: %2 av %3 rader stämmer överens inom U; det största |E_n| är %4, vid %5. Vad båda delar, rör, referenser och metod, finns i båda U: ett |E_n| under 1 visar inte att inget har ändrats.</translation>
+    </message>
+    <message>
+        <source>A results.json of an earlier run, or a digital calibration certificate (DCC) of any laboratory: its S(f) is drawn beside this one, and nothing is changed by it</source>
+        <translation>En results.json från en tidigare körning, eller ett digitalt kalibreringscertifikat (DCC) från vilket laboratorium som helst: dess S(f) ritas bredvid detta, och inget ändras av det</translation>
+    </message>
+    <message>
+        <source>Certificate %1, %2</source>
+        <translation>Certifikat %1, %2</translation>
+    </message>
+    <message>
+        <source>Results and certificates (*.json *.xml);;All files (*)</source>
+        <translation>Resultat och certifikat (*.json *.xml);;Alla filer (*)</translation>
+    </message>
+    <message>
+        <source>Not taken from the certificate:</source>
+        <translation>Inte hämtat från certifikatet:</translation>
     </message>
 </context>
 <context>
@@ -13677,6 +14109,14 @@ steget</translation>
     <message>
         <source>file</source>
         <translation>fil</translation>
+    </message>
+    <message>
+        <source>▲ unknown signer</source>
+        <translation>▲ okänd undertecknare</translation>
+    </message>
+    <message>
+        <source>▲ expired</source>
+        <translation>▲ utgången</translation>
     </message>
 </context>
 <context>
