@@ -69,10 +69,10 @@ Result<StatedValues> withinRange(const ParsedElement &element, StatedValues stat
         {stated.unit.symbol()});
 }
 
-Result<StatedUncertainty> ownOrListed(
+Result<DSiUncertainty> ownOrListed(
     const ParsedElement &element, const ParsedElement *list, std::size_t count)
 {
-    Result<StatedUncertainty> own = uncertaintyOf(element, count);
+    Result<DSiUncertainty> own = uncertaintyOf(element, count);
     return own && own->u.empty() && list ? uncertaintyOf(*list, count) : own;
 }
 
@@ -86,7 +86,7 @@ Result<StatedValues> realOf(const ParsedElement &element, const ParsedElement *l
     const Result<ListedUnit> unit = unitOf(element, names.unit, list, "listUnit", values->size());
     if (!unit)
         return tl::unexpected<Error>(unit.error());
-    Result<StatedUncertainty> stated = ownOrListed(element, list, values->size());
+    Result<DSiUncertainty> stated = ownOrListed(element, list, values->size());
     if (!stated)
         return tl::unexpected<Error>(stated.error());
     scale(*values, unit->factors);

@@ -47,8 +47,7 @@ Result<std::vector<double>> notBelowZero(
     return numbers;
 }
 
-Result<StatedUncertainty> expanded(
-    const ParsedElement &element, const Form &form, std::size_t count)
+Result<DSiUncertainty> expanded(const ParsedElement &element, const Form &form, std::size_t count)
 {
     const Result<std::vector<double>> U = notBelowZero(element, form.value, count);
     if (!U)
@@ -61,20 +60,20 @@ Result<StatedUncertainty> expanded(
             DYNCAL_TEXT("core",
                 "Line %1, %2: its %3 is not above 0, so the standard uncertainty does not follow."),
             {std::string(form.factor)});
-    StatedUncertainty stated{*U, std::move(*k)};
+    DSiUncertainty stated{*U, std::move(*k)};
     for (std::size_t i = 0; i < count; ++i)
         stated.u[i] /= stated.k[i];
     return stated;
 }
 
-Result<StatedUncertainty> inForm(const ParsedElement &element, const Form &form, std::size_t count)
+Result<DSiUncertainty> inForm(const ParsedElement &element, const Form &form, std::size_t count)
 {
     if (!form.factor.empty())
         return expanded(element, form, count);
     Result<std::vector<double>> u = notBelowZero(element, form.value, count);
     if (!u)
         return tl::unexpected<Error>(u.error());
-    return StatedUncertainty{std::move(*u), std::vector<double>(count, kUnknown)};
+    return DSiUncertainty{std::move(*u), std::vector<double>(count, kUnknown)};
 }
 
 const Form *formOf(const ParsedElement &element)
@@ -120,12 +119,12 @@ Result<const ParsedElement *> onlyStatement(const ParsedElement &element)
 }
 
 /// A constant has its standard uncertainty beside its value.
-Result<StatedUncertainty> ofConstant(const ParsedElement &element, std::size_t count)
+Result<DSiUncertainty> ofConstant(const ParsedElement &element, std::size_t count)
 {
     for (const char *name : {"valueStandardMU", "uncertainty"})
         if (element.child(name))
             return inForm(element, {element.name, name, ""}, count);
-    return StatedUncertainty{};
+    return DSiUncertainty{};
 }
 
 /// One entry of the matrix, for each value.
@@ -231,7 +230,7 @@ const ParsedElement *regionOf(const ParsedElement &element)
 
 } // namespace
 
-Result<StatedUncertainty> uncertaintyOf(const ParsedElement &element, std::size_t count)
+Result<DSiUncertainty> uncertaintyOf(const ParsedElement &element, std::size_t count)
 {
     if (element.name == "constant")
         return ofConstant(element, count);
@@ -239,7 +238,7 @@ Result<StatedUncertainty> uncertaintyOf(const ParsedElement &element, std::size_
     if (!statement)
         return tl::unexpected<Error>(statement.error());
     if (!*statement)
-        return StatedUncertainty{};
+        return DSiUncertainty{};
     if (const Form *form = formOf(**statement))
         return inForm(**statement, *form, count);
     const Result<const ParsedElement *> inside = onlyStatement(**statement);

@@ -10,7 +10,7 @@
 namespace dyncal {
 
 /// u and k of real values, for each of `count`, in the unit of the element.
-struct StatedUncertainty
+struct DSiUncertainty
 {
     std::vector<double> u; ///< empty: none is stated
     std::vector<double> k; ///< NaN where u itself is stated
@@ -19,7 +19,7 @@ struct StatedUncertainty
 /// What the element of real values states of its uncertainty, of one value or of an XML list: as
 /// expanded or standard uncertainty or as coverage interval, in today's and in the deprecated
 /// elements. Fails (Usage) as readDSiQuantity().
-Result<StatedUncertainty> uncertaintyOf(const ParsedElement &element, std::size_t count);
+Result<DSiUncertainty> uncertaintyOf(const ParsedElement &element, std::size_t count);
 
 /// Covariance of both parts of each of `count` complex values: of its ellipsoidal or rectangular
 /// region, of one value or of an XML list; empty where none is stated. Its units are held against

@@ -53,7 +53,8 @@ std::size_t unpackedLimit(std::size_t fileBytes);
 
 /// Reads a PDF of anybody's: nothing is repaired, no object streams (the hidden kind that may
 /// unpack to anything), no more unpacked than unpackedLimit(), loops are left. Fails
-/// (FileUnreadable) where it is too large, has more than 100 000 objects, is damaged, encrypted or has no cross-reference table.
+/// (FileUnreadable) where it is too large, has more than 100 000 objects, is damaged, encrypted or
+/// has no cross-reference table.
 Result<PdfStructure> readPdfStructure(const std::string &pdf);
 
 /// The files inside a PDF in the order of /AF, those outside of it behind them. Fails as

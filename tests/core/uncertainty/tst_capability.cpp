@@ -118,7 +118,8 @@ private slots:
         for (const double f_Hz : {999.0, 1.5e4})
             QVERIFY(isOutsideScope(band, f_Hz));
         QVERIFY(!isOutsideScope({}, 1e3)); // who states no range is held to none
-        QVERIFY(!isOutsideScope({relative("sensitivity", 0.1), {"phase_rad", 0.1, true, 1e3}}, 1.0));
+        QVERIFY(
+            !isOutsideScope({relative("sensitivity", 0.1), {"phase_rad", 0.1, true, 1e3}}, 1.0));
     }
 
     void valuesOutsideTheScope_areACaution()
