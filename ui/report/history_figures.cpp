@@ -6,6 +6,7 @@
 #include "core/history/history_section.h"
 #include "ui/plot/curves/history_curves.h"
 #include "ui/text/core_text.h"
+#include "ui/text/shown_text.h"
 
 #include <cmath>
 
@@ -41,8 +42,8 @@ std::vector<FigureMaker> historyFigureMakers(const SensorHistory &history)
         if (hasHistoryFigure(series))
             makers.push_back([series, values = datedValues(series, history.sensor.points)] {
                 return ReportFigure{historyFigureId(series),
-                    historyCurves(printed(historyTitle(series.quantity)),
-                        QString::fromStdString(series.unit), values, series.limits)};
+                    historyCurves(printed(historyTitle(series.quantity)), shownText(series.unit),
+                        values, series.limits)};
             });
     return makers;
 }

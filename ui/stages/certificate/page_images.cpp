@@ -33,8 +33,8 @@ QImage imageOf(const Poppler::Document &document, int index, int width_px)
 Result<std::vector<QImage>> pageImages(
     const std::string &pdf, int width_px, const JobControl &control)
 {
-    const std::unique_ptr<Poppler::Document> document
-        = Poppler::Document::loadFromData(QByteArray::fromStdString(pdf));
+    const std::unique_ptr<Poppler::Document> document = Poppler::Document::loadFromData(
+        QByteArray(pdf.data(), static_cast<qsizetype>(pdf.size())));
     if (!document || document->isLocked() || width_px < 1)
         return noPages();
     document->setRenderHint(Poppler::Document::Antialiasing);

@@ -19,15 +19,13 @@ constexpr double kPale = 0.45;
 PageStack::PageStack(QWidget *parent)
     : QWidget(parent)
 {
-    QSizePolicy policy(QSizePolicy::Preferred, QSizePolicy::Minimum);
-    policy.setHeightForWidth(true);
-    setSizePolicy(policy);
+    setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Minimum);
 }
 
 void PageStack::setPages(std::vector<QImage> pages)
 {
     m_pages = std::move(pages);
-    setMinimumHeight(heightForWidth(width()));
+    setMinimumHeight(heightOfPages(width()));
     updateGeometry();
     update();
 }
@@ -45,7 +43,7 @@ int PageStack::heightOf(const QImage &page, int width) const
         : static_cast<int>(static_cast<qint64>(page.height()) * width / page.width());
 }
 
-int PageStack::heightForWidth(int width) const
+int PageStack::heightOfPages(int width) const
 {
     int height = 0;
     for (const QImage &page : m_pages)
@@ -89,7 +87,7 @@ void PageStack::paintEvent(QPaintEvent *event)
 void PageStack::resizeEvent(QResizeEvent *event)
 {
     QWidget::resizeEvent(event);
-    setMinimumHeight(heightForWidth(width()));
+    setMinimumHeight(heightOfPages(width()));
 }
 
 } // namespace dyncal

@@ -27,8 +27,7 @@ public:
     /// Of the page that holds this height, from 0; -1 without pages.
     int pageAt(int y) const;
 
-    bool hasHeightForWidth() const override { return true; }
-    int heightForWidth(int width) const override;
+    int heightOfPages(int width) const; ///< of all, with what lies between them
 
 protected:
     void paintEvent(QPaintEvent *event) override;

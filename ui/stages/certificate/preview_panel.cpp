@@ -152,7 +152,7 @@ int PreviewPanel::pageWidth() const
 void PreviewPanel::showPages()
 {
     const int width = std::max(pageWidth(), 1);
-    m_stack->resize(width, std::max(m_stack->heightForWidth(width), 1));
+    m_stack->resize(width, std::max(m_stack->heightOfPages(width), 1));
     if (m_pdf.empty() || m_drawing.isRunning() || width == m_shownWidth)
         return;
     const int pixels = static_cast<int>(width * devicePixelRatioF());
@@ -166,7 +166,7 @@ void PreviewPanel::showPages()
             }
             m_shownWidth = width;
             m_stack->setPages(std::move(*pages));
-            m_stack->resize(width, m_stack->heightForWidth(width));
+            m_stack->resize(width, m_stack->heightOfPages(width));
             m_stack->setPale(m_wait.isActive());
             sayPage();
         });

@@ -103,10 +103,10 @@ void TestPageImages::stack_isAsHighAsItsPages_andKnowsThem()
     QImage wide(200, 100, QImage::Format_RGB32);
     wide.fill(Qt::green);
     stack.setPages({tall, wide});
-    const int gaps = stack.heightForWidth(100) - 150 - 50;
+    const int gaps = stack.heightOfPages(100) - 150 - 50;
     QVERIFY(gaps > 0);
-    QCOMPARE(stack.heightForWidth(200), 300 + 100 + gaps);
-    stack.resize(100, stack.heightForWidth(100));
+    QCOMPARE(stack.heightOfPages(200), 300 + 100 + gaps);
+    stack.resize(100, stack.heightOfPages(100));
     QCOMPARE(stack.pageAt(10), 0);
     QCOMPARE(stack.pageAt(150 + gaps / 2 + 10), 1);
     QCOMPARE(stack.pageAt(100000), 1);
@@ -123,9 +123,9 @@ void TestPageImages::stack_withoutPages()
 {
     PageStack stack;
     QCOMPARE(stack.pageAt(0), -1);
-    QCOMPARE(stack.heightForWidth(500), 0);
+    QCOMPARE(stack.heightOfPages(500), 0);
     stack.setPages({QImage()}); // a picture of nothing takes no room
-    QVERIFY(stack.heightForWidth(500) < 20);
+    QVERIFY(stack.heightOfPages(500) < 20);
 }
 
 DYNCAL_TEST(TestPageImages)
