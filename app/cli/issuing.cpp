@@ -11,6 +11,7 @@
 #include "core/capture/capture_seal.h"
 #include "core/certificate/certificate_attachments.h"
 #include "core/certificate/certificate_issue.h"
+#include "core/dcc/dcc_document.h"
 #include "core/history/history_files.h"
 #include "core/history/history_section.h"
 #include "core/reference/reference_source.h"

@@ -18,9 +18,9 @@ bool writeTemplate(const QString &path)
         "results", "frequency-response", "history", "remarks", "records", "statements"};
     QFile file(path);
     return file.open(QIODevice::WriteOnly)
-        && file.write(
-               QJsonDocument(QJsonObject{{"schema", "dyncal-template/1"}, {"sections", sections}})
-                   .toJson())
+        && file.write(QJsonDocument(QJsonObject{{"schema", "dyncal-template/1"},
+                                        {"sections", sections}, {"figures", QJsonArray()}})
+                          .toJson())
         > 0;
 }
 
