@@ -62,7 +62,7 @@ XmlElement replaced(const DccSource &source)
 {
     return {"dcc:reportAmendedSubstituted", {}, {},
         {{"dcc:typeOfChange", {}, "amended"},
-            {"dcc:replacedUniqueIdentifier", {}, source.issue->amends}}};
+            {"dcc:replacedUniqueIdentifier", {}, inOneLine(source.issue->amends)}}};
 }
 
 XmlElement coreData(const DccSource &source)
@@ -75,7 +75,8 @@ XmlElement coreData(const DccSource &source)
     for (const std::string &language : source.words.languages)
         add("usedLangCodeISO639_1", language);
     add("mandatoryLangCodeISO639_1", source.words.languages.front());
-    add("uniqueIdentifier", source.issue ? orNotStated(source.issue->number) : kDccDraft);
+    add("uniqueIdentifier",
+        source.issue ? orNotStated(inOneLine(source.issue->number)) : kDccDraft);
     if (!calendarDate(source.typed("administrative", "date_received")).empty())
         add("receiptDate", day(source, "date_received"));
     add("beginPerformanceDate", day(source, "date_performed"));

@@ -20,10 +20,11 @@ namespace {
 
 /// What the name of a source ends with says its unit; the longest first.
 constexpr std::array kUnitsOfSources{std::pair{"_per_m", "\\metre\\tothe{-1}"},
-    std::pair{"_kg_mol", "\\kilogram\\mole\\tothe{-1}"}, std::pair{"_relative", "\\one"},
-    std::pair{"_pa", "\\pascal"}, std::pair{"_hz", "\\hertz"}, std::pair{"_rad", "\\radian"},
-    std::pair{"_k", "\\kelvin"}, std::pair{"_s", "\\second"}, std::pair{"_m", "\\metre"},
-    std::pair{"gamma", "\\one"}};
+    std::pair{"_kg_mol", "\\kilogram\\mole\\tothe{-1}"},
+    std::pair{"_m_s", "\\metre\\second\\tothe{-1}"}, std::pair{"_relative", "\\one"},
+    std::pair{"_humidity", "\\one"}, std::pair{"_fraction", "\\one"}, std::pair{"_pa", "\\pascal"},
+    std::pair{"_hz", "\\hertz"}, std::pair{"_rad", "\\radian"}, std::pair{"_k", "\\kelvin"},
+    std::pair{"_s", "\\second"}, std::pair{"_m", "\\metre"}, std::pair{"gamma", "\\one"}};
 
 /// NaN stands where nobody has said what the unit is.
 std::optional<std::string> unitOfSource(const UncertaintyLine &line, const std::string &ofValue)

@@ -36,6 +36,41 @@ inline std::string dccOfRecipe(const CalibrationResults &results, const Recipe &
     return dccText(data, results, recipe, issue, translate);
 }
 
+/// What a part of a DCC is made from, to be changed by a test.
+struct ExampleSource
+{
+    CalibrationResults results = example::calibration();
+    Recipe recipe = exampleDccRecipe();
+    std::optional<CertificateIssue> issue = {};
+    DccWords words = {};
+    CertificateData certificate = {};
+
+    /// Makes the certificate anew and shows it with the rest, which must stay where it is.
+    DccSource source()
+    {
+        certificate = makeCertificate(results, recipe, kExampleCreated);
+        if (issue)
+            markIssued(*issue, certificate);
+        return {certificate, results, recipe, issue, words};
+    }
+    std::string &field(const std::string &id) { return recipe.certificate.fields[id]; }
+};
+
+/// Certificate 17, bound to hashes that are told apart.
+inline CertificateIssue exampleIssue()
+{
+    return {"17", "", "", std::string(64, 'a'), std::string(64, 'b')};
+}
+
+/// English, and in its place "sv: " before each sentence that is ours.
+inline DccWords exampleWordsInTwo()
+{
+    return {{"en", "sv"}, [](const Message &message, const std::string &language) {
+                const bool isOurs = !std::string_view(message.text).starts_with('%');
+                return (language == "sv" && isOurs ? "sv: " : "") + english(message);
+            }};
+}
+
 inline std::string exampleDcc()
 {
     return dccOfRecipe(example::calibration(), exampleDccRecipe());

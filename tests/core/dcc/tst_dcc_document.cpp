@@ -20,6 +20,7 @@
 using namespace dyncal;
 using testing::dccOfRecipe;
 using testing::exampleDccRecipe;
+using testing::exampleIssue;
 
 namespace {
 
@@ -54,11 +55,6 @@ QStringList below(const DccNode &node, const char *name)
         list << below(child, name);
     }
     return list;
-}
-
-CertificateIssue exampleIssue()
-{
-    return {"17", "", "", std::string(64, 'a'), std::string(64, 'b')};
 }
 
 } // namespace
