@@ -164,10 +164,11 @@ private slots:
     {
         const std::size_t begin = m_cms.find(joined(signer()));
         QVERIFY(begin != std::string::npos);
-        // Not signed: the version, and what is named beside RSA.
-        const std::string version = signer()[0], algorithm = signer()[4];
+        // Not signed: version, the name under which the certificate is looked for (which the
+        // attributes state too), and what is named beside RSA.
+        const std::string head = signer()[0] + signer()[1], algorithm = signer()[4];
         const std::size_t unsignedBegin = m_cms.find(algorithm, begin);
-        for (std::size_t i = begin + version.size(); i < m_cms.size(); ++i) {
+        for (std::size_t i = begin + head.size(); i < m_cms.size(); ++i) {
             if (i >= unsignedBegin && i < unsignedBegin + algorithm.size())
                 continue;
             std::string bad = m_cms;
