@@ -24,6 +24,12 @@ constexpr std::string_view kScheme = "http://";
 struct HttpAddress
 {
     std::string host, port = "80", path = "/";
+
+    /// As an address has it: version 6 of IP in brackets (RFC 3986, 3.2.2).
+    std::string place() const
+    {
+        return (host.find(':') == host.npos ? host : '[' + host + ']') + ':' + port;
+    }
 };
 
 /// Empty where it is none. Controls, blanks and user names are refused, so that nothing of it can
@@ -124,19 +130,42 @@ std::string requestOf(
     const HttpAddress &address, const std::string &contentType, const std::string &bytes)
 {
     // HTTP/1.0: the answer ends with the connection, in one piece.
-    return "POST " + address.path + " HTTP/1.0\r\nHost: " + address.host + ':' + address.port
+    return "POST " + address.path + " HTTP/1.0\r\nHost: " + address.place()
         + "\r\nContent-Type: " + contentType + "\r\nContent-Length: " + std::to_string(bytes.size())
         + "\r\nConnection: close\r\n\r\n" + bytes;
 }
 
-/// Body of an answer of status 200; empty otherwise.
+/// Value of a field of a head in small letters, blanks around it left out; empty where it has none.
+std::string fieldOf(std::string_view head, std::string_view name)
+{
+    const std::string begin = "\r\n" + std::string(name) + ':';
+    const std::size_t line = head.find(begin);
+    if (line == head.npos)
+        return {};
+    const std::string_view rest = head.substr(line + begin.size());
+    std::string value(rest.substr(0, rest.find("\r\n")));
+    std::erase(value, ' ');
+    return value;
+}
+
+/// Whether the body is all of what the head announces: it was not cut off on its way, and is not in
+/// pieces with numbers between them, which HTTP/1.0 does not have.
+bool isWhole(std::string_view head, std::string_view body)
+{
+    const std::string size = fieldOf(head, "content-length");
+    return fieldOf(head, "transfer-encoding").empty()
+        && (size.empty() || size == std::to_string(body.size()));
+}
+
+/// Body of a whole answer of status 200; empty otherwise.
 std::string bodyOf(const std::string &answer)
 {
     constexpr std::string_view kEnd = "\r\n\r\n";
     const std::size_t end = answer.find(kEnd), blank = answer.find(' ');
     const bool isGood = answer.starts_with("HTTP/1.") && end != answer.npos && blank < end
-        && answer.compare(blank, 4, " 200") == 0;
-    return isGood ? answer.substr(end + kEnd.size()) : std::string();
+        && (answer.compare(blank, 5, " 200 ") == 0 || answer.compare(blank, 5, " 200\r") == 0);
+    std::string body = isGood ? answer.substr(end + kEnd.size()) : std::string();
+    return isGood && isWhole(lowerCase(answer.substr(0, end)), body) ? body : std::string();
 }
 
 } // namespace

@@ -13,7 +13,8 @@ namespace dyncal {
 
 /// Sends bytes by a POST of HTTP/1.0 to "http://HOST[:PORT][/PATH]" and returns the body of the
 /// answer. No redirection is followed. Fails (Usage) for another kind of address; (FileUnreadable)
-/// where nobody answers within the limits, or with another status than 200; (Cancelled) on request.
+/// where nobody answers within the limits, or with another status than 200, or not whole (another
+/// Content-Length than bytes came, a Transfer-Encoding); (Cancelled) on request.
 /// Only the look-up of the name is not under the time limit, but under the system's.
 Result<std::string> postedTo(const std::string &url, const std::string &contentType,
     const std::string &bytes, const std::stop_token &stop, const AnswerLimits &limits = {});

@@ -6,9 +6,11 @@
 #define POINTERHOLDER_TRANSITION 4 // qpdf asks for a choice; this one has no PointerHolder
 #include <qpdf/QPDF.hh>
 #include <qpdf/QPDFObjectHandle.hh>
+#include <qpdf/QUtil.hh>
 
 #include <cstdlib>
 #include <exception>
+#include <stdexcept>
 #include <string_view>
 #include <vector>
 
@@ -63,11 +65,25 @@ std::string trailerRest(QPDFObjectHandle trailer)
     return rest;
 }
 
+/// The first free number (7.5.5). Where /Size does not say it, a new object would take the place of
+/// one that is there; catalog and page must be objects of the file, because they are replaced.
+int checkedSize(QPDF &pdf, int last, const QPDFObjectHandle &root, const QPDFObjectHandle &page)
+{
+    constexpr int kMostObjects = 8388607; // annex C.2
+    const int size = pdf.getTrailer().getKey("/Size").getIntValueAsInt();
+    const auto isThere = [&](int object) { return object > 0 && object <= last; };
+    if (last >= size || size > kMostObjects || !isThere(root.getObjectID())
+        || !isThere(page.getObjectID()) || !QPDFObjectHandle(page).isDictionary())
+        throw std::out_of_range("/Size");
+    return size;
+}
+
 PdfOutline outlineIn(QPDF &pdf, const std::function<PdfAdditions(int)> &added)
 {
     PdfOutline outline;
+    const int last = static_cast<int>(pdf.getObjectCount()); // before a page in a list gets one
     QPDFObjectHandle root = pdf.getRoot(), page = pdf.getAllPages().at(0);
-    outline.size = pdf.getTrailer().getKey("/Size").getIntValueAsInt();
+    outline.size = checkedSize(pdf, last, root, page);
     const PdfAdditions additions = added(outline.size);
     outline.root = root.getObjectID();
     outline.rootGeneration = root.getGeneration();
@@ -122,7 +138,8 @@ Result<PdfOutline> outlineOf(
 
 std::string pdfTextString(const std::string &utf8)
 {
-    return QPDFObjectHandle::newUnicodeString(utf8).unparse();
+    // qpdf would write Latin letters as they are, and a name must never look like a key of the PDF.
+    return QPDFObjectHandle::newString(QUtil::utf8_to_utf16(utf8)).unparseBinary();
 }
 
 } // namespace dyncal

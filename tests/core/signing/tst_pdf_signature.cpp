@@ -5,6 +5,7 @@
 #include "core/signing/cms_signature.h"
 #include "core/signing/pdf_signature.h"
 #include "tests/support/made_keys.h"
+#include "tests/support/made_pdf.h"
 #include "tests/support/test_program.h"
 #include "tests/support/trial_count.h"
 
@@ -18,22 +19,10 @@ using Status = SignatureCheck::Status;
 
 namespace {
 
-/// A PDF with a classic table; `catalog` and `page` are further entries.
 std::string smallPdf(
     const std::string &catalog = "", const std::string &page = "", const std::string &trailer = "")
 {
-    std::string pdf = "%PDF-1.7\n%\xe2\xe3\xcf\xd3\n", table = "xref\n0 4\n0000000000 65535 f \n";
-    const std::vector<std::string> objects{"<</Type/Catalog/Pages 2 0 R" + catalog + ">>",
-        "<</Type/Pages/Kids[3 0 R]/Count 1>>",
-        "<</Type/Page/Parent 2 0 R/MediaBox[0 0 300 300]" + page + ">>"};
-    for (std::size_t i = 0; i < objects.size(); ++i) {
-        char entry[32];
-        std::snprintf(entry, sizeof entry, "%010zu 00000 n \n", pdf.size());
-        table += entry;
-        pdf += std::to_string(i + 1) + " 0 obj\n" + objects[i] + "\nendobj\n";
-    }
-    return pdf + table + "trailer\n<</Size 4/Root 1 0 R" + trailer + ">>\nstartxref\n"
-        + std::to_string(pdf.size()) + "\n%%EOF\n";
+    return MadePdf::small(catalog, page, trailer).bytes;
 }
 
 } // namespace
