@@ -5,7 +5,7 @@
 #include "core/signing/cms_signature.h"
 #include "core/signing/pdf_signature.h"
 #include "tests/support/made_keys.h"
-#include "tests/support/made_pdf.h"
+#include "tests/support/revised_pdf.h"
 #include "tests/support/test_program.h"
 #include "tests/support/trial_count.h"
 
