@@ -4,7 +4,7 @@
 // Printed units in the D-SI: by its grammar, and back by the reader of references.
 
 #include "core/dcc/si_unit.h"
-#include "core/reference/d_si_unit.h"
+#include "core/dcc_reading/d_si_unit.h"
 #include "tests/support/test_program.h"
 
 #include <QTest>
