@@ -37,7 +37,7 @@ std::string pdfOf(
     recipe.certificate.languages = languages;
     std::optional<CertificateIssue> issue;
     if (isIssued)
-        issue = CertificateIssue{"17", {}, {}, "abc", "def", certificateAttachments(kFiles)};
+        issue = CertificateIssue{"17", {}, {}, "abc", "def", false, certificateAttachments(kFiles)};
     ReportDrawing drawing(
         example::calibration(), recipe, kCreated, ReportParts::Certificate, chosen, issue);
     drawing.draw(std::chrono::hours(24));
