@@ -116,10 +116,11 @@ void TestHistorySection::chart_needsFive_andNamesWhatIsBeyond()
 
 void TestHistorySection::drift_isStatedWithItsU_andJudgedByIt()
 {
-    // 0.1 uV/Pa a year over four years: u(b) = 5e-9/(sqrt(10) a) where u = 5e-9
+    // 0.1 uV/Pa a year over four years, u = 5e-9 V/Pa: U(b) = 2 u/sqrt(10) = 3.16e-9 V/Pa
     const std::string rising
         = notesOf(historySection(historyOf({5e-6, 5.1e-6, 5.2e-6, 5.3e-6, 5.4e-6}, 5e-9)));
-    QVERIFY2(rising.find("Sensitivity: it drifts by 100.0 nV/Pa/a ± 3.2 nV/Pa/a") != rising.npos,
+    QVERIFY2(rising.find("Sensitivity: it drifts by 1.000 ×10^-7 V/Pa/a ± 0.032 ×10^-7 V/Pa/a")
+            != rising.npos,
         rising.c_str());
     const std::string steady = notesOf(historySection(historyOf({5e-6, 5.001e-6, 5e-6})));
     QVERIFY2(steady.find("Sensitivity: the drift of ") != steady.npos, steady.c_str());
