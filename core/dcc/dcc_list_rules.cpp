@@ -14,7 +14,12 @@ constexpr std::size_t kMostShown = 60;
 
 std::string shown(const std::string &text)
 {
-    return text.size() <= kMostShown ? text : text.substr(0, kMostShown) + "...";
+    if (text.size() <= kMostShown)
+        return text;
+    std::size_t end = kMostShown; // not inside a character of UTF-8
+    while (end > 0 && (static_cast<unsigned char>(text[end]) & 0xC0U) == 0x80U)
+        --end;
+    return text.substr(0, end) + "...";
 }
 
 /// An element whose text is a list; others of such a name only hold lists.
@@ -95,24 +100,47 @@ void checkColumns(const DccNode &table, std::vector<DccFinding> &findings)
         }
 }
 
-/// "\volt\mega\pascal\tothe{-1}"
-bool isUnit(std::string_view text)
+/// "-1", "0.5"
+bool isExponent(std::string_view text)
+{
+    constexpr std::string_view kDigits = "0123456789";
+    text.remove_prefix(text.starts_with('-') ? 1 : 0);
+    const std::size_t end = std::min(text.find_first_not_of(kDigits), text.size());
+    if (end == 0 || end == text.size())
+        return end > 0;
+    const std::string_view behind = text.substr(end + 1);
+    return text[end] == '.' && !behind.empty() && behind.find_first_not_of(kDigits) == behind.npos;
+}
+
+/// Takes "\pascal" or "\tothe{-1}" from the front; false where there is none.
+bool takePart(std::string_view &text)
 {
     if (!text.starts_with('\\'))
         return false;
-    bool isInBraces = false;
-    for (const char c : text) {
-        const bool isLetter = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z');
-        const bool isOfNumber = (c >= '0' && c <= '9') || c == '-' || c == '.';
-        if (c == '{' || c == '}') {
-            if (isInBraces == (c == '{'))
-                return false;
-            isInBraces = c == '{';
-        } else if (isInBraces ? !isOfNumber : !isLetter && c != '\\') {
+    const std::size_t end = std::min(
+        text.find_first_not_of("abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ", 1),
+        text.size());
+    if (end == 1)
+        return false;
+    text.remove_prefix(end);
+    if (!text.starts_with('{'))
+        return true;
+    const std::size_t close = text.find('}');
+    if (close == text.npos || !isExponent(text.substr(1, close - 1)))
+        return false;
+    text.remove_prefix(close + 1);
+    return true;
+}
+
+/// "\volt\mega\pascal\tothe{-1}"
+bool isUnit(std::string_view text)
+{
+    if (text.empty())
+        return false;
+    while (!text.empty())
+        if (!takePart(text))
             return false;
-        }
-    }
-    return !isInBraces && text.back() != '\\';
+    return true;
 }
 
 } // namespace

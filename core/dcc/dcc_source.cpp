@@ -21,8 +21,9 @@ std::string DccSource::typed(const std::string &section, const std::string &id) 
 {
     const CertificateField *there = field(section, id);
     const bool isTyped = there && !there->missing && std::string_view(there->value.text) == "%1"
-        && !there->value.arguments.empty() && english(there->value) != "\xE2\x80\x93";
-    return isTyped ? inOneLine(there->value.arguments.front()) : std::string();
+        && !there->value.arguments.empty();
+    const std::string line = isTyped ? inOneLine(there->value.arguments.front()) : std::string();
+    return line == "\xE2\x80\x93" ? std::string() : line;
 }
 
 } // namespace dyncal

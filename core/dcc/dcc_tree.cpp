@@ -46,16 +46,46 @@ struct Elements : pugi::xml_tree_walker
 
     bool for_each(pugi::xml_node &node) override
     {
-        deepest = std::max(deepest, depth());
-        if (node.type() == pugi::node_element)
-            found.push_back(node);
+        if (node.type() != pugi::node_element)
+            return true;
+        deepest = std::max(deepest, depth() + 1); // the first has a depth of 0
+        found.push_back(node);
         return deepest <= kDeepest;
     }
 };
 
+/// The second on the level of the first, of which XML has one; null without it.
+pugi::xml_node secondRoot(const pugi::xml_document &xml)
+{
+    pugi::xml_node at = xml.document_element().next_sibling();
+    while (at && at.type() != pugi::node_element)
+        at = at.next_sibling();
+    return at;
+}
+
+bool hasDocumentType(const pugi::xml_document &xml)
+{
+    return std::ranges::any_of(xml.children(),
+        [](const pugi::xml_node &node) { return node.type() == pugi::node_doctype; });
+}
+
 tl::unexpected<Error> notReadable(const char *sentence, std::vector<std::string> arguments = {})
 {
     return fail(ErrorKind::FileUnreadable, {sentence, std::move(arguments)});
+}
+
+tl::unexpected<Error> documentType()
+{
+    return notReadable(DYNCAL_TEXT("core",
+        "The file has a document type or entities of its own, which a digital calibration certificate does not need and which are never read; ask for one without."));
+}
+
+tl::unexpected<Error> notWellFormed(const char *why, std::ptrdiff_t at_byte)
+{
+    return notReadable(
+        DYNCAL_TEXT("core",
+            "The file is no well-formed XML (%1, at byte %2); give a digital calibration certificate."),
+        {why, std::to_string(at_byte)});
 }
 
 } // namespace
@@ -73,7 +103,11 @@ std::string DccNode::name() const
 
 std::string DccNode::text() const
 {
-    return nodeOf(m_node).child_value();
+    std::string text; // a comment parts it
+    for (const pugi::xml_node &child : nodeOf(m_node).children())
+        if (child.type() == pugi::node_pcdata || child.type() == pugi::node_cdata)
+            text += child.value();
+    return text;
 }
 
 std::string DccNode::attribute(const char *name) const
@@ -137,17 +171,17 @@ Result<DccTree> DccTree::read(const std::string &xml)
         return notReadable(DYNCAL_TEXT("core",
             "The file is larger than 64 MiB, which no digital calibration certificate is; give another file."));
     if (xml.find("<!DOCTYPE") != xml.npos || xml.find("<!ENTITY") != xml.npos)
-        return notReadable(DYNCAL_TEXT("core",
-            "The file has a document type or entities of its own, which a digital calibration certificate does not need and which are never read; ask for one without."));
+        return documentType();
     DccTree tree;
     tree.m_document = std::make_shared<Document>();
-    const pugi::xml_parse_result parsed
-        = tree.m_document->xml.load_buffer(xml.data(), xml.size(), pugi::parse_default);
+    const pugi::xml_parse_result parsed = tree.m_document->xml.load_buffer(
+        xml.data(), xml.size(), pugi::parse_default | pugi::parse_doctype);
     if (!parsed)
-        return notReadable(
-            DYNCAL_TEXT("core",
-                "The file is no well-formed XML (%1, at byte %2); give a digital calibration certificate."),
-            {parsed.description(), std::to_string(parsed.offset)});
+        return notWellFormed(parsed.description(), parsed.offset);
+    if (hasDocumentType(tree.m_document->xml)) // in UTF-16 not found above
+        return documentType();
+    if (const pugi::xml_node second = secondRoot(tree.m_document->xml))
+        return notWellFormed("More than one document element", second.offset_debug());
     if (localName(tree.m_document->xml.document_element()) != "digitalCalibrationCertificate")
         return notReadable(DYNCAL_TEXT("core",
             "The file is no digital calibration certificate: its first element is another; give a DCC of version 3."));
