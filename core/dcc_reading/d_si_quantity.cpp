@@ -36,11 +36,9 @@ const PartNames &namesOf(const ParsedElement &element)
 Result<ListedUnit> unitOf(const ParsedElement &element, std::string_view name,
     const ParsedElement *list, std::string_view nameInList, std::size_t count)
 {
-    if (list && !element.child(name) && list->child(nameInList))
-        return unitIn(*list->child(nameInList), count);
-    return neededChild(element, name).and_then([count](const ParsedElement *unit) {
-        return unitIn(*unit, count);
-    });
+    const bool isOfList = list && !element.child(name) && list->child(nameInList);
+    return neededChild(isOfList ? *list : element, isOfList ? nameInList : name)
+        .and_then([count](const ParsedElement *unit) { return unitIn(*unit, count); });
 }
 
 Result<std::vector<double>> valuesOfChild(const ParsedElement &element, std::string_view name)
@@ -225,8 +223,11 @@ Result<DSiQuantity> complexOf(const ParsedElement &element, const ParsedElement 
                 {std::to_string(i + 1)});
         add(quantity, one, !parts->covariances.empty());
     }
+    Result<StatedValues> phases_rad = withinRange(element, std::move(*quantity.phases_rad));
+    if (!phases_rad)
+        return tl::unexpected<Error>(phases_rad.error());
     return withinRange(element, std::move(quantity.values)).map([&](StatedValues values) {
-        return DSiQuantity{std::move(values), std::move(quantity.phases_rad)};
+        return DSiQuantity{std::move(values), std::move(*phases_rad)};
     });
 }
 

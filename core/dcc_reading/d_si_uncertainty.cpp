@@ -121,6 +121,8 @@ Result<const ParsedElement *> onlyStatement(const ParsedElement &element)
 /// A constant has its standard uncertainty beside its value.
 Result<DSiUncertainty> ofConstant(const ParsedElement &element, std::size_t count)
 {
+    if (element.child("valueStandardMU") && element.child("uncertainty"))
+        return unknownUncertainty(*element.child("uncertainty"));
     for (const char *name : {"valueStandardMU", "uncertainty"})
         if (element.child(name))
             return inForm(element, {element.name, name, ""}, count);
@@ -178,16 +180,18 @@ std::vector<std::vector<const ParsedElement *>> columnsOf(const ParsedElement &m
 }
 
 /// Symmetric, and no correlation beyond 1 by more than rounded digits make. Of a value that is not
-/// stated it is not either.
+/// stated it is not either. Without squares, which numbers far from 1 do not have.
 bool isCovariance(const Eigen::Matrix2d &matrix)
 {
+    if (matrix(0, 0) < 0.0 || matrix(1, 1) < 0.0 || matrix.array().isInf().any())
+        return false;
     if (!matrix.allFinite())
         return true;
     constexpr double kRounding = 0.02;
-    const double product = matrix(0, 0) * matrix(1, 1);
+    const double largest = std::sqrt(matrix(0, 0)) * std::sqrt(matrix(1, 1));
     const double asymmetry = std::abs(matrix(0, 1) - matrix(1, 0));
-    return matrix(0, 0) >= 0.0 && matrix(1, 1) >= 0.0 && asymmetry <= kRounding * std::sqrt(product)
-        && matrix(0, 1) * matrix(0, 1) <= product * (1.0 + kRounding);
+    return asymmetry <= kRounding * largest
+        && std::abs(matrix(0, 1)) <= largest * std::sqrt(1.0 + kRounding);
 }
 
 Result<std::vector<Eigen::Matrix2d>> covariancesIn(
@@ -215,17 +219,20 @@ Result<std::vector<Eigen::Matrix2d>> covariancesIn(
     return covariances;
 }
 
-/// The region, wherever the form of the complex value has it.
-const ParsedElement *regionOf(const ParsedElement &element)
+/// The region, wherever the form of the complex value has it; null where it has none.
+Result<const ParsedElement *> regionOf(const ParsedElement &element)
 {
+    const ParsedElement *only = nullptr;
     for (const char *holder : {"", "measurementUncertaintyBivariateXMLList", "listBivariateUnc"}) {
         const ParsedElement *in = *holder == '\0' ? &element : element.child(holder);
         for (const char *region : {"ellipsoidalRegion", "rectangularRegion",
                  "ellipsoidalRegionMUXMLList", "rectangularRegionMUXMLList"})
-            if (const ParsedElement *found = in ? in->child(region) : nullptr)
-                return found;
+            for (const ParsedElement *found :
+                in ? in->all(region) : std::vector<const ParsedElement *>{})
+                if (std::exchange(only, found))
+                    return unknownUncertainty(*found);
     }
-    return nullptr;
+    return only;
 }
 
 } // namespace
@@ -249,7 +256,10 @@ Result<DSiUncertainty> uncertaintyOf(const ParsedElement &element, std::size_t c
 Result<std::vector<Eigen::Matrix2d>> covariancesOf(
     const ParsedElement &element, std::size_t count, const DSiUnit &first, const DSiUnit &second)
 {
-    const ParsedElement *region = regionOf(element);
+    const Result<const ParsedElement *> found = regionOf(element);
+    if (!found)
+        return tl::unexpected<Error>(found.error());
+    const ParsedElement *region = *found;
     if (!region) {
         const auto other = std::ranges::find_if(element.children, isOfUncertainty);
         if (other != element.children.end())

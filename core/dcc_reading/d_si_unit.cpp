@@ -60,6 +60,14 @@ std::vector<std::string_view> wordsOfUnit(std::string_view text)
     return words;
 }
 
+/// Without what cancels; nothing where its factor is beyond what a computer's numbers hold: 0 in
+/// such a unit would be no number, and any other value 0.
+std::optional<DSiUnit> withinRange(DSiUnit unit)
+{
+    std::erase_if(unit.powers, [](const auto &power) { return power.second == 0; });
+    return std::isnormal(unit.factor) ? std::optional(std::move(unit)) : std::nullopt;
+}
+
 std::optional<int> powerOfTen(std::string_view word)
 {
     const auto known
@@ -105,8 +113,7 @@ public:
         if (!m_last || isUnitAwaited())
             return std::nullopt;
         add();
-        std::erase_if(m_unit.powers, [](const auto &power) { return power.second == 0; });
-        return m_unit;
+        return withinRange(std::move(m_unit));
     }
 
 private:
@@ -236,8 +243,7 @@ std::optional<DSiUnit> unitOfSymbol(std::string_view text)
             unit.powers[one->symbol] += power;
         at = end + 1;
     }
-    std::erase_if(unit.powers, [](const auto &raised) { return raised.second == 0; });
-    return unit;
+    return withinRange(std::move(unit));
 }
 
 std::optional<double> unitRatio(std::string_view from, std::string_view to)

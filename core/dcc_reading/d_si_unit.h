@@ -26,8 +26,8 @@ struct DSiUnit
 };
 
 /// Reads such as "\volt\mega\pascal\tothe{-1}" or "\volt\per\mega\pascal". Empty where it is
-/// malformed or names a unit that is not known, and of units that are no multiple of one of the SI
-/// (degrees Celsius, decibel).
+/// malformed or names a unit that is not known, of units that are no multiple of one of the SI
+/// (degrees Celsius, decibel), and where its factor is beyond 1e-307 to 1e308.
 std::optional<DSiUnit> parseDSiUnit(std::string_view text);
 
 /// The same of a unit as recipes and results write it: "V/Pa", "pC/Pa", "1".

@@ -142,6 +142,99 @@ private slots:
             = "lines " + std::to_string(table.line + 1) + ", " + std::to_string(table.line + 2);
         QVERIFY2(fault.find(lines) != std::string::npos, fault.c_str());
     }
+
+    /// Of several in hertz the marked one has the frequencies, in the order of the marks.
+    void marks_chooseTheFrequencies()
+    {
+        const auto at = [](const std::string &value, const char *mark) {
+            return dccMarked(dccQuantity(value, "\\hertz"), mark);
+        };
+        const std::string magnitude = dccQuantity("4", kUnit);
+        QCOMPARE(responseIn(at("1", "x") + at("2", "basic_tableIndex0") + magnitude).frequency_Hz,
+            std::vector<double>{2});
+        QCOMPARE(responseIn(at("1", "basic_tableIndex0") + at("2", "vib_frequency") + magnitude)
+                     .frequency_Hz,
+            std::vector<double>{2});
+        QCOMPARE(responseIn(at("1", "dyncal_frequency") + at("2", "vib_frequency") + magnitude)
+                     .frequency_Hz,
+            std::vector<double>{1});
+        const std::string fault
+            = faultOf(tableOf(at("1", "vib_frequency") + at("2", "vib_frequency") + magnitude));
+        QVERIFY2(fault.find("several quantities in hertz") != std::string::npos, fault.c_str());
+        // a width of a band that states an uncertainty is not marked, and is not taken for it
+        QCOMPARE(
+            responseIn(dccQuantity("9", "\\hertz", "0.1") + at("2", "vib_frequency") + magnitude)
+                .frequency_Hz,
+            std::vector<double>{2});
+    }
+
+    /// Marked, else the only one that states an uncertainty; real ones go before complex ones.
+    void marksAndUncertainties_chooseTheMagnitudes()
+    {
+        const std::string f = dccQuantity("1 2", "\\hertz"), plain = dccQuantity("4 5", kUnit),
+                          stated = dccQuantity("6 7", kUnit, "0.2"),
+                          complex = dccComplex("3 3", "4 4", kUnit, {"1", "0", "1"}, kUnit + kUnit);
+        const auto first = [&](const std::string &quantities) {
+            return responseIn(f + quantities).magnitude.values[0];
+        };
+        QCOMPARE(first(plain + stated), 6.0);
+        QCOMPARE(first(stated + dccMarked(plain, "basic_measuredValue")), 4.0);
+        QCOMPARE(
+            first(dccMarked(plain, "basic_measuredValue") + dccMarked(stated, "vib_magnitude")),
+            6.0);
+        QCOMPARE(first(complex + plain), 4.0);
+        QVERIFY(!responseIn(f + complex + plain).phase_rad);
+        QCOMPARE(first(complex), 5.0);
+        QVERIFY(isNear(responseIn(f + complex).phase_rad->values[1], std::atan2(4, 3), 1e-12));
+        for (const std::string &both : {plain + plain, stated + stated, complex + complex})
+            QVERIFY(faultOf(tableOf(f + both)).find("several") != std::string::npos);
+    }
+
+    void marks_chooseThePhases()
+    {
+        const std::string two = dccQuantity("1", "\\hertz") + dccQuantity("4", kUnit),
+                          angle = dccQuantity("90", "\\degree"),
+                          other = dccQuantity("1", "\\radian");
+        QVERIFY(!responseIn(two).phase_rad);
+        QVERIFY(isNear(responseIn(two + angle).phase_rad->values[0], std::acos(0.0), 1e-14));
+        QCOMPARE(responseIn(two + angle + dccMarked(other, "vib_phase")).phase_rad->values[0], 1.0);
+        QVERIFY(faultOf(tableOf(two + angle + other)).find("several angles") != std::string::npos);
+    }
+
+    void lengthsThatDiffer_areRefused_withBoth()
+    {
+        const std::string f = dccQuantity("1 2 3", "\\hertz");
+        for (const std::string &more :
+            {dccQuantity("4 5", kUnit), dccQuantity("4", kUnit), dccQuantity("4 5 6 7", kUnit),
+                dccQuantity("4 5 6", kUnit) + dccQuantity("1 2", "\\radian"),
+                dccComplex("3 3", "4 4", kUnit, {"1", "0", "1"}, kUnit + kUnit)}) {
+            const std::string fault = faultOf(tableOf(f + more));
+            QVERIFY2(fault.find("has 3 frequencies and") != std::string::npos, fault.c_str());
+        }
+        // what is no part of the response may have its own length
+        QCOMPARE(responseIn(f + dccQuantity("4 5 6", kUnit) + dccQuantity("20", "\\kelvin"))
+                     .frequency_Hz.size(),
+            std::size_t(3));
+    }
+
+    void frequenciesThatAreNone_areRefused()
+    {
+        for (const char *f : {"0 1", "1 -2", "1 NaN"})
+            QVERIFY2(faultOf(tableOf(dccQuantity(f, "\\hertz") + dccQuantity("4 5", kUnit)))
+                         .find("not all above 0")
+                    != std::string::npos,
+                f);
+        QVERIFY(faultOf(tableOf(dccQuantity("1 2", "\\hertz") + dccQuantity("NaN", kUnit)))
+                    .find("has 2 frequencies")
+            != std::string::npos);
+        QVERIFY(faultOf(tableOf(dccQuantity("1 2", "\\hertz") + dccQuantity("NaN NaN", kUnit)))
+                    .find("NaN only")
+            != std::string::npos);
+        QVERIFY(faultOf(tableOf(dccQuantity("4 5", kUnit))).find("no frequencies")
+            != std::string::npos);
+        QVERIFY(faultOf(tableOf(dccQuantity("4 5", "\\hertz"))).find("no magnitudes in the unit")
+            != std::string::npos);
+    }
 };
 
 DYNCAL_TEST(TestDccResponse)
