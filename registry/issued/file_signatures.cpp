@@ -77,11 +77,14 @@ Result<SignatureCheck> checkFileSignature(const std::string &path, const TrustSe
 
 SignatureCheck checkFolderSignatures(const std::string &folder, const TrustSettings &trust)
 {
-    const auto checked = [&](const char *name) {
-        return checkFileSignature((fs::path(folder) / name).string(), trust);
+    const auto checked = [&](const char *name, const TrustSettings &settings) {
+        return checkFileSignature((fs::path(folder) / name).string(), settings);
     };
-    SignatureCheck check = checked(kIssuedPdf).value_or(SignatureCheck{});
-    if (const Result<SignatureCheck> dcc = checked(kIssuedDcc); dcc && !check.difference)
+    SignatureCheck check = checked(kIssuedPdf, trust).value_or(SignatureCheck{});
+    TrustSettings then = trust; // the PDF carries the DCC: its time stamp is of both signatures
+    if (check.status == Status::Valid && !check.stampedUtc.empty())
+        then.utc = check.stampedUtc;
+    if (const Result<SignatureCheck> dcc = checked(kIssuedDcc, then); dcc && !check.difference)
         addDcc(*dcc, check);
     return check;
 }

@@ -15,6 +15,7 @@ import math
 import re
 import subprocess
 import sys
+from collections import Counter
 from pathlib import Path
 
 from lxml import etree
@@ -168,7 +169,7 @@ def check_response(response, root, ref_type, errors):
 
 
 def check_lists(results, root, errors):
-    """Contributions of the budgets, and intervals of Monte Carlo, as sets of numbers."""
+    """Contributions of the budgets as a set of numbers; intervals of Monte Carlo, each as often as it is stated."""
     contributions = {value for node in of_type(root, "dyncal_budgetContribution")
                      for row in numbers(node, "valueXMLList") for value in row}
     lines = [line for line in results["budget"] or [] if not line["of"].startswith(("response", "comparison", "model"))]
@@ -177,11 +178,15 @@ def check_lists(results, root, errors):
         known = line["of"].startswith(("sensitivity", "shots")) or line["of"] in reported
         if known and line["contribution"] is not None and line["contribution"] not in contributions:
             errors.append(f"budget of {line['of']}: {line['quantity']} {line['contribution']} is not in the DCC")
-    ends = {value for name in ("intervalMinXMLList", "intervalMaxXMLList") for row in numbers(root, name) for value in row}
+    ends = Counter(value for name in ("intervalMinXMLList", "intervalMaxXMLList") for row in numbers(root, name)
+                   for value in row)
     drawn = (results["monte_carlo"] or {}).get("quantities", [])
     for row in drawn:
         for key in ("low", "high"):
-            if row[key] is not None and row[key] not in ends:
+            if row[key] is None:
+                continue
+            ends[row[key]] -= 1
+            if ends[row[key]] < 0:
                 errors.append(f"Monte Carlo, {row['of']}: {row[key]} is not in the DCC")
     return len(lines) + len(drawn)
 
