@@ -181,9 +181,12 @@ void PreviewPanel::sayPage()
 {
     if (m_stack->isPale() || m_stack->pageCount() == 0)
         return;
-    const int middle = m_scroll->verticalScrollBar()->value() + m_scroll->viewport()->height() / 2;
+    // From the first line at the top to the last one at the bottom.
+    const QScrollBar *bar = m_scroll->verticalScrollBar();
+    const int most = std::max(bar->maximum(), 1);
+    const int at = bar->value() + m_scroll->viewport()->height() * bar->value() / most;
     say(tr("Page %1 of %2, as it would be exported now")
-            .arg(m_stack->pageAt(middle) + 1)
+            .arg(m_stack->pageAt(at) + 1)
             .arg(m_stack->pageCount()));
 }
 
