@@ -20,7 +20,9 @@ struct Message
 {
     const char *text = "";
     std::vector<std::string> arguments;
-    std::vector<Message> below = {}; ///< further sentences, each on a line of its own
+    /// Further sentences: the first ones stand in the places %M1..%M9 (message_places.h), the
+    /// others each on a line of its own.
+    std::vector<Message> below = {};
 
     bool operator==(const Message &other) const
     {

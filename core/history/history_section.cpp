@@ -4,8 +4,8 @@
 #include "core/history/history_section.h"
 
 #include "core/base/number_text.h"
+#include "core/certificate/certificate_history.h"
 #include "core/certificate/certificate_words.h"
-#include "core/project/certificate_template.h"
 
 #include <algorithm>
 #include <cmath>
@@ -123,13 +123,11 @@ Message historyTitle(const FollowedQuantity &quantity)
 
 CertificateSection historySection(const SensorHistory &history)
 {
-    CertificateSection section;
-    section.id = kHistorySection;
-    section.title = {DYNCAL_TEXT("core", "Earlier calibrations"), {}};
-    section.paragraphs.push_back(
+    CertificateSection section = historyToCome();
+    section.paragraphs = {
         {DYNCAL_TEXT("core",
              "What the laboratory's certificates of this sensor state that are in force, this one last. En compares a value with the one before: up to 1 they agree within their U. Control limits need five calibrations."),
-            {}});
+            {}}};
     for (const HistorySeries &series : history.series) {
         if (!isStated(series))
             continue;

@@ -14,12 +14,10 @@ namespace dyncal {
 struct KeyMaterial; ///< key_material.h
 
 /// A private key with the certificate that belongs to it and those above it. Copies share it. The
-/// key itself never leaves this room: it is used by cmsOfHash() and signXml().
+/// key itself never leaves this room: it is used by cmsOfHash() and signedXml().
 class SigningKey
 {
 public:
-    struct State; ///< signing_key_state.h
-
     /// `source` is a PKCS#12 file, a PEM file with key and certificates, or "pkcs11:..." (RFC 7512)
     /// of a token's key and certificate; the token's library is the URI's module-path, else
     /// PKCS11_MODULE_PATH of the environment. Fails (FileUnreadable) where a file cannot be read;
