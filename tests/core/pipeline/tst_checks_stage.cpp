@@ -170,7 +170,7 @@ void TestChecksStage::stateFromAPressure_isComparedWithTheRecords()
         if (check.of == Compared::Velocity)
             QCOMPARE(check.agrees(), check.shot == 3); // the pressure was that of shot 3
     for (const ShockConditions &shot : results.shock->shots)
-        QVERIFY(!shot.uncertainty && !shot.uncertaintyMissing.empty());
+        QVERIFY(!shot.uncertainty && shot.uncertaintyMissing.has_value());
 }
 
 /// A gauge pressure where an absolute one is asked for.
