@@ -6,6 +6,7 @@
 #include "core/base/content_hash.h"
 #include "core/base/json_text.h"
 #include "core/project/strict_json.h"
+#include "core/project/template_choice.h"
 
 #include <algorithm>
 #include <filesystem>
@@ -205,9 +206,14 @@ std::string sensorKey(const PlannedSensor &sensor)
     return sha256Hex(text);
 }
 
-std::string hashOfRecipe(const Recipe &recipe)
+Result<std::string> hashOfRecipe(const Recipe &recipe)
 {
-    return sha256Hex(recipeJson(recipe));
+    if (!isTemplateFile(recipe.certificate.templateName))
+        return sha256Hex(recipeJson(recipe));
+    return chooseTemplate(recipe.certificate.templateName)
+        .map([&](const ChosenTemplate &chosen) { // its copy is named by what is in it
+            return sha256Hex(recipeJson(withKeptTemplate(recipe, chosen)));
+        });
 }
 
 std::string folderOfPlan(const std::string &planPath)

@@ -58,8 +58,10 @@ Result<BatchPlan> readPlan(const std::string &path);
 /// joined recipe, the versions of the methods. Equal keys mean equal results.json but for its time.
 std::string sensorKey(const PlannedSensor &sensor);
 
-/// What PlannedSensor::recipeSha256 is: the hash of every decision, that of the files it names too.
-std::string hashOfRecipe(const Recipe &recipe);
+/// What PlannedSensor::recipeSha256 is: the hash of every decision, that of the files it names too,
+/// and of the template with its logo where it names a file (by its place, locateTemplate). Fails
+/// as chooseTemplate where that cannot be read.
+Result<std::string> hashOfRecipe(const Recipe &recipe);
 
 /// The folder that the paths of a plan are relative to.
 std::string folderOfPlan(const std::string &planPath);

@@ -7,6 +7,7 @@
 #include "core/batch/sensor_name.h"
 #include "core/batch/sensor_search.h"
 #include "core/project/recipe.h"
+#include "core/project/template_choice.h"
 
 #include <algorithm>
 #include <filesystem>
@@ -33,6 +34,16 @@ bool liesIn(const std::string &path, const std::string &folder)
     const fs::path outer = fs::weakly_canonical(folder, ignored);
     const auto [end, rest] = std::mismatch(outer.begin(), outer.end(), inner.begin(), inner.end());
     return end == outer.end();
+}
+
+/// Of the recipe in this file over the profile. A template of no recipe's lies beside the plan,
+/// where the batch is computed.
+Result<std::string> plannedHash(const std::string &recipePath, const BatchRequest &request)
+{
+    return readRecipeFiles(recipePath, request.profile).and_then([&](Recipe recipe) {
+        locateTemplate(recipePath.empty() ? request.plan : recipePath, recipe);
+        return hashOfRecipe(recipe);
+    });
 }
 
 /// Plans one sensor after the other.
@@ -63,9 +74,7 @@ public:
 private:
     void takeRecipe(const std::string &own, PlannedSensor &sensor) const
     {
-        const Result<std::string> hash = own.empty()
-            ? m_commonHash
-            : readRecipeFiles(own, m_request.profile).map(hashOfRecipe);
+        const Result<std::string> hash = own.empty() ? m_commonHash : plannedHash(own, m_request);
         if (!hash) {
             sensor.obstacle = english(hash.error().message);
             return;
@@ -130,8 +139,7 @@ Result<BatchPlan> planBatch(const BatchRequest &request, const JobControl &contr
 {
     if (const Result<void> place = checkPlace(request); !place)
         return tl::unexpected<Error>(place.error());
-    const Result<std::string> hash
-        = readRecipeFiles(request.recipe, request.profile).map(hashOfRecipe);
+    const Result<std::string> hash = plannedHash(request.recipe, request);
     if (!hash)
         return tl::unexpected<Error>(hash.error());
     const Result<std::vector<FoundSensor>> found = sensorsBelow(request);

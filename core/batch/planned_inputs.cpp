@@ -91,10 +91,14 @@ Result<void> checkKnownInputs(const std::vector<InputStamp> &known,
 Result<Recipe> plannedRecipe(const PlannedSensor &sensor)
 {
     Result<Recipe> recipe = readRecipeFiles(sensor.recipe, sensor.profile);
-    if (recipe && hashOfRecipe(*recipe) != sensor.recipeSha256)
+    if (!recipe)
+        return recipe;
+    locateTemplate(sensor.recipe, *recipe);
+    const Result<std::string> hash = hashOfRecipe(*recipe);
+    if (!hash)
+        return tl::unexpected<Error>(hash.error());
+    if (*hash != sensor.recipeSha256)
         return changedSincePlanned(sensor.recipe.empty() ? sensor.profile : sensor.recipe);
-    if (recipe)
-        locateTemplate(sensor.recipe, *recipe);
     return recipe;
 }
 

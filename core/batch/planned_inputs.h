@@ -30,8 +30,8 @@ Result<void> checkKnownInputs(const std::vector<InputStamp> &known,
     const std::vector<std::string> &paths, const PlannedSensor &sensor);
 
 /// The recipe of the sensor, for a program that runs in the plan's folder; a template's file is
-/// named by where it is (locateTemplate). Fails as readRecipeFiles, and (FileUnreadable) if it is
-/// not the planned one.
+/// named by where it is (locateTemplate). Fails as readRecipeFiles and hashOfRecipe, and
+/// (FileUnreadable) if it, or its template, is not the planned one.
 Result<Recipe> plannedRecipe(const PlannedSensor &sensor);
 
 } // namespace dyncal

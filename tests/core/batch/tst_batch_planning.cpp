@@ -56,6 +56,14 @@ struct Laboratory
 
 const QStringList kAll{"SN-1", "SN-2", "SN-3"};
 
+constexpr const char *kNamesLab = R"({"certificate": {"template": "../../lab.json"}})";
+
+/// A template's file, of a document in that language.
+std::string templateOf(const std::string &language)
+{
+    return R"({"schema": "dyncal-template/1", "languages": [")" + language + R"("]})";
+}
+
 } // namespace
 
 /// From a folder to a plan, and what a change of anything asks for again.
@@ -73,6 +81,8 @@ private slots:
     void change_ofFormOnly_asksForNone();
     void change_ofTheProfile_asksForAll();
     void change_ofOwnRecipe_asksForThatSensor();
+    void change_ofATemplate_asksForWhoPrintsIt();
+    void template_missing_isAnObstacle();
     void ownRecipe_winsOverTheCommonOne();
     void ownRecipe_broken_isAnObstacle();
     void unreadable_isAnObstacle();
@@ -191,6 +201,29 @@ void TestBatchPlanning::change_ofOwnRecipe_asksForThatSensor()
     QCOMPARE(laboratory.changedSince(before), kAll); // SN-2 by its own
 }
 
+void TestBatchPlanning::change_ofATemplate_asksForWhoPrintsIt()
+{
+    const Laboratory laboratory;
+    const std::string lab = laboratory.folder.file("lab.json");
+    writeText(laboratory.folder.file("in/SN-2/recipe.json"), kNamesLab);
+    writeText(lab, templateOf("en"));
+    const BatchPlan before = laboratory.plan();
+    QVERIFY(before[1].obstacle.empty());
+    writeText(lab, templateOf("sv"));
+    QCOMPARE(laboratory.changedSince(before), QStringList({"SN-2"}));
+    writeText(lab, templateOf("en"));
+    QVERIFY(laboratory.changedSince(before).isEmpty());
+}
+
+void TestBatchPlanning::template_missing_isAnObstacle()
+{
+    const Laboratory laboratory;
+    writeText(laboratory.folder.file("in/SN-2/recipe.json"), kNamesLab);
+    const BatchPlan plan = laboratory.plan();
+    QVERIFY(plan[1].obstacle.find("lab.json") != std::string::npos);
+    QVERIFY(plan[0].obstacle.empty() && plan[2].obstacle.empty());
+}
+
 void TestBatchPlanning::ownRecipe_winsOverTheCommonOne()
 {
     const Laboratory laboratory;
@@ -199,7 +232,8 @@ void TestBatchPlanning::ownRecipe_winsOverTheCommonOne()
     const BatchPlan plan = laboratory.plan();
     QCOMPARE(plan[1].recipe, std::string("in/SN-2/recipe.json"));
     QCOMPARE(plan[1].profile, std::string("profile.json"));
-    QCOMPARE(plan[1].recipeSha256, hashOfRecipe(*readRecipeFiles(own, laboratory.request.profile)));
+    QCOMPARE(
+        plan[1].recipeSha256, *hashOfRecipe(*readRecipeFiles(own, laboratory.request.profile)));
     QCOMPARE(plan[0].recipe, std::string("recipe.json"));
 }
 
@@ -231,7 +265,7 @@ void TestBatchPlanning::defaults_withoutRecipeAndProfile()
     QCOMPARE(plan.size(), std::size_t(3));
     QCOMPARE(plan[0].recipe, std::string());
     QCOMPARE(plan[0].profile, std::string());
-    QCOMPARE(plan[0].recipeSha256, hashOfRecipe(Recipe()));
+    QCOMPARE(plan[0].recipeSha256, *hashOfRecipe(Recipe()));
 }
 
 void TestBatchPlanning::outputs_areDifferent()

@@ -3,6 +3,7 @@
 
 #include "core/batch/planned_inputs.h"
 #include "core/capture/opening/capture_open.h"
+#include "core/project/template_choice.h"
 #include "tests/core/batch/batch_tree.h"
 #include "tests/support/test_program.h"
 
@@ -76,6 +77,7 @@ private slots:
     void known_nothing_readsAll();
     void recipe_isThatOfThePlan();
     void recipe_changed_isNamed();
+    void recipe_ofAChangedTemplate_isNotThatOfThePlan();
 };
 
 void TestPlannedInputs::paths_ofWhatIsThere()
@@ -182,11 +184,11 @@ void TestPlannedInputs::recipe_isThatOfThePlan()
 {
     const ScratchFolder folder;
     PlannedSensor sensor = plannedSensor("a");
-    sensor.recipeSha256 = hashOfRecipe(Recipe());
+    sensor.recipeSha256 = *hashOfRecipe(Recipe());
     QVERIFY(plannedRecipe(sensor));
     writeText(folder.file("recipe.json"), R"({"realization": {"order": 4}})");
     sensor.recipe = folder.file("recipe.json");
-    sensor.recipeSha256 = hashOfRecipe(*readRecipeFile(sensor.recipe));
+    sensor.recipeSha256 = *hashOfRecipe(*readRecipeFile(sensor.recipe));
     const Result<Recipe> recipe = plannedRecipe(sensor);
     QVERIFY(recipe);
     QCOMPARE(recipe->realization.order.value.value_or(0), Index(4));
@@ -201,11 +203,28 @@ void TestPlannedInputs::recipe_changed_isNamed()
     PlannedSensor sensor = plannedSensor("a");
     writeText(folder.file("recipe.json"), "{}");
     sensor.recipe = folder.file("recipe.json");
-    sensor.recipeSha256 = hashOfRecipe(*readRecipeFile(sensor.recipe));
+    sensor.recipeSha256 = *hashOfRecipe(*readRecipeFile(sensor.recipe));
     writeText(sensor.recipe, R"({"realization": {"order": 4}})");
     QVERIFY(blames(plannedRecipe(sensor), "recipe.json"));
     fs::remove(sensor.recipe);
     QVERIFY(blames(plannedRecipe(sensor), "recipe.json"));
+}
+
+void TestPlannedInputs::recipe_ofAChangedTemplate_isNotThatOfThePlan()
+{
+    const ScratchFolder folder;
+    PlannedSensor sensor = plannedSensor("a");
+    sensor.recipe = folder.file("recipe.json");
+    writeText(sensor.recipe, R"({"certificate": {"template": "lab.json"}})");
+    writeText(folder.file("lab.json"), R"({"schema": "dyncal-template/1"})");
+    Recipe located = *readRecipeFile(sensor.recipe);
+    locateTemplate(sensor.recipe, located);
+    sensor.recipeSha256 = *hashOfRecipe(located);
+    QVERIFY(plannedRecipe(sensor));
+    writeText(folder.file("lab.json"), R"({"schema": "dyncal-template/1", "languages": ["sv"]})");
+    QVERIFY(blames(plannedRecipe(sensor), "recipe.json"));
+    fs::remove(folder.file("lab.json"));
+    QVERIFY(blames(plannedRecipe(sensor), "lab.json"));
 }
 
 DYNCAL_TEST(TestPlannedInputs)
