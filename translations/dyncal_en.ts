@@ -157,6 +157,30 @@
     </message>
 </context>
 <context>
+    <name>dyncal::VerifyTab</name>
+    <message numerus="yes">
+        <source>■ %n changed, missing or unreadable</source>
+        <translation>
+            <numerusform>■ %n changed, missing or unreadable</numerusform>
+            <numerusform>■ %n changed, missing or unreadable</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>▲ %n unchanged, but not signed, or by a signer that is not known or expired</source>
+        <translation>
+            <numerusform>▲ %n unchanged, but not signed, or by a signer that is not known or expired</numerusform>
+            <numerusform>▲ %n unchanged, but not signed, or by a signer that is not known or expired</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>● %n valid</source>
+        <translation>
+            <numerusform>● %n valid</numerusform>
+            <numerusform>● %n valid</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>dyncal::WorkRecovery</name>
     <message numerus="yes">
         <source>%1 and %n more</source>

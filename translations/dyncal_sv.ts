@@ -9902,10 +9902,6 @@ steget</translation>
         <translation>%1 kan inte nås, eller svarade inte i tid eller inte med det som begärdes; se efter om adressen är rätt och nätet finns, eller utelämna tidsstämpeln.</translation>
     </message>
     <message>
-        <source>The key in %1 has a passphrase, and none was given; give it by --pin-fd N.</source>
-        <translation>Nyckeln i %1 har en lösenfras, och ingen gavs; ge den med --pin-fd N.</translation>
-    </message>
-    <message>
         <source>The passphrase does not open the key in %1; give the right one.</source>
         <translation>Lösenfrasen öppnar inte nyckeln i %1; ge den rätta.</translation>
     </message>
@@ -9918,16 +9914,8 @@ steget</translation>
         <translation>Nyckelfilen %1 kan inte läsas, är tom eller har fler än %2 byte; ge en PKCS#12- eller PEM-fil som du får läsa.</translation>
     </message>
     <message>
-        <source>The URI of the token holds a PIN, which others could read in the list of processes; leave it out and give the PIN by --pin-fd N.</source>
-        <translation>Tokenens URI innehåller en PIN, som andra kunde läsa i listan över processer; utelämna den och ge PIN med --pin-fd N.</translation>
-    </message>
-    <message>
         <source>The library of the token (%1) cannot be used through OpenSSL&apos;s engine pkcs11; install libengine-pkcs11-openssl and name the token&apos;s library by module-path in the URI or by PKCS11_MODULE_PATH.</source>
         <translation>Tokenens bibliotek (%1) kan inte användas genom OpenSSL:s engine pkcs11; installera libengine-pkcs11-openssl och ange tokenens bibliotek med module-path i URI:n eller med PKCS11_MODULE_PATH.</translation>
-    </message>
-    <message>
-        <source>The token gives no private key for %1 without a PIN; give it by --pin-fd N.</source>
-        <translation>Tokenen ger ingen privat nyckel för %1 utan PIN; ge den med --pin-fd N.</translation>
     </message>
     <message>
         <source>The token gives no private key for %1: the PIN is wrong, or there is no such token or object; look with `pkcs11-tool --list-objects` before you try again, because tokens lock after some wrong PINs.</source>
@@ -10088,6 +10076,18 @@ steget</translation>
     <message>
         <source>The signature of %1 does not hold.</source>
         <translation>Signaturen på %1 håller inte.</translation>
+    </message>
+    <message>
+        <source>The key in %1 has a passphrase, and none was given; give it by --pin-fd N, or in its field of the window.</source>
+        <translation>Nyckeln i %1 har en lösenfras, och ingen gavs; ge den med --pin-fd N eller i dess fält i fönstret.</translation>
+    </message>
+    <message>
+        <source>The token gives no private key for %1 without a PIN; give it by --pin-fd N, or in its field of the window.</source>
+        <translation>Tokenen ger ingen privat nyckel för %1 utan PIN; ge den med --pin-fd N eller i dess fält i fönstret.</translation>
+    </message>
+    <message>
+        <source>The URI of the token holds a PIN, which others could read in the list of processes; leave it out and give the PIN by --pin-fd N, or in its field of the window.</source>
+        <translation>Tokenens URI innehåller en PIN, som andra kunde läsa i listan över processer; utelämna den och ge PIN med --pin-fd N eller i dess fält i fönstret.</translation>
     </message>
 </context>
 <context>
@@ -11069,6 +11069,14 @@ steget</translation>
         <source>Templates (*.json);;All files (*)</source>
         <translation>Mallar (*.json);;Alla filer (*)</translation>
     </message>
+    <message>
+        <source>Two letters of ISO 3166-1, for the DCC; not printed</source>
+        <translation>Två bokstäver enligt ISO 3166-1, för DCC; skrivs inte ut</translation>
+    </message>
+    <message>
+        <source>■ This is no country. Write its two letters of ISO 3166-1, as SE.</source>
+        <translation>■ Detta är inget land. Skriv dess två bokstäver enligt ISO 3166-1, som SE.</translation>
+    </message>
 </context>
 <context>
     <name>dyncal::CertificatesTab</name>
@@ -11770,6 +11778,52 @@ steget</translation>
     <message>
         <source>B − A</source>
         <translation>B − A</translation>
+    </message>
+</context>
+<context>
+    <name>dyncal::DccPanel</name>
+    <message>
+        <source>What a reader of the DCC would miss</source>
+        <translation>Vad en läsare av DCC skulle sakna</translation>
+    </message>
+    <message>
+        <source>dcc.xml says the same as the certificate, for machines; this is what its rules find missing</source>
+        <translation>dcc.xml säger detsamma som beviset, för maskiner; detta är vad dess regler saknar</translation>
+    </message>
+    <message>
+        <source>Fill in: %1</source>
+        <translation>Fyll i: %1</translation>
+    </message>
+    <message>
+        <source>To its field of the form</source>
+        <translation>Till dess fält i formuläret</translation>
+    </message>
+    <message>
+        <source>There is no DCC yet: it states a frequency response, and none was computed.</source>
+        <translation>Det finns inget DCC ännu: det anger ett frekvenssvar, och inget har beräknats.</translation>
+    </message>
+    <message>
+        <source>Nothing: all rules hold that are known of a DCC.</source>
+        <translation>Inget: alla kända regler för ett DCC är uppfyllda.</translation>
+    </message>
+</context>
+<context>
+    <name>dyncal::DccRemarks</name>
+    <message>
+        <source>%1: none is known, and a DCC must have one. Type its two letters.</source>
+        <translation>%1: inget är känt, och ett DCC måste ha ett. Skriv dess två bokstäver.</translation>
+    </message>
+    <message>
+        <source>%1 Found: %2.</source>
+        <translation>%1 Funnet: %2.</translation>
+    </message>
+    <message>
+        <source>Country of the laboratory</source>
+        <translation>Laboratoriets land</translation>
+    </message>
+    <message>
+        <source>Country of the customer</source>
+        <translation>Kundens land</translation>
     </message>
 </context>
 <context>
@@ -12762,6 +12816,14 @@ steget</translation>
     <message>
         <source>Say what changed, for the amendment.</source>
         <translation>Säg vad som ändrats, för ändringen.</translation>
+    </message>
+    <message>
+        <source>Certificate %1 is issued and signed by %2: %3</source>
+        <translation>Bevis %1 är utfärdat och signerat av %2: %3</translation>
+    </message>
+    <message>
+        <source>Certificate %1 is issued, signed by %2 and time stamped by %3: %4</source>
+        <translation>Bevis %1 är utfärdat, signerat av %2 och tidsstämplat av %3: %4</translation>
     </message>
 </context>
 <context>
@@ -14411,6 +14473,116 @@ steget</translation>
     </message>
 </context>
 <context>
+    <name>dyncal::SigningChoice</name>
+    <message>
+        <source>Name the file of the key that signs.</source>
+        <translation>Ange filen med nyckeln som signerar.</translation>
+    </message>
+    <message>
+        <source>There is no key file %1; choose another.</source>
+        <translation>Det finns ingen nyckelfil %1; välj en annan.</translation>
+    </message>
+    <message>
+        <source>Name the key of the token that signs, as pkcs11:token=NAME;object=LABEL.</source>
+        <translation>Ange nyckeln i den token som signerar, som pkcs11:token=NAMN;object=ETIKETT.</translation>
+    </message>
+    <message>
+        <source>Name the command of the service that signs.</source>
+        <translation>Ange kommandot för tjänsten som signerar.</translation>
+    </message>
+</context>
+<context>
+    <name>dyncal::SigningPanel</name>
+    <message>
+        <source>Signature</source>
+        <translation>Signatur</translation>
+    </message>
+    <message>
+        <source>C&amp;hoose...</source>
+        <translation>Väl&amp;j ...</translation>
+    </message>
+    <message>
+        <source>None</source>
+        <translation>Ingen</translation>
+    </message>
+    <message>
+        <source>Key file (PKCS#12 or PEM)</source>
+        <translation>Nyckelfil (PKCS#12 eller PEM)</translation>
+    </message>
+    <message>
+        <source>Token (PKCS#11)</source>
+        <translation>Token (PKCS#11)</translation>
+    </message>
+    <message>
+        <source>Seal service (a command)</source>
+        <translation>Sigilltjänst (ett kommando)</translation>
+    </message>
+    <message>
+        <source>&amp;Signed by</source>
+        <translation>&amp;Signeras med</translation>
+    </message>
+    <message>
+        <source>&amp;Key file</source>
+        <translation>&amp;Nyckelfil</translation>
+    </message>
+    <message>
+        <source>Key of the &amp;token</source>
+        <translation>Nyckel i &amp;token</translation>
+    </message>
+    <message>
+        <source>Co&amp;mmand</source>
+        <translation>Komman&amp;do</translation>
+    </message>
+    <message>
+        <source>Time stamp &amp;authority</source>
+        <translation>T&amp;idsstämplingstjänst</translation>
+    </message>
+    <message>
+        <source>Who signs PDF and DCC, so that others can tell whose they are, unchanged</source>
+        <translation>Vem som signerar PDF och DCC, så att andra kan se vems de är, oförändrade</translation>
+    </message>
+    <message>
+        <source>The private key together with its certificate</source>
+        <translation>Den privata nyckeln tillsammans med dess certifikat</translation>
+    </message>
+    <message>
+        <source>RFC 7512; the token&apos;s library by module-path=FILE in it, else by PKCS11_MODULE_PATH</source>
+        <translation>RFC 7512; tokenens bibliotek med module-path=FIL i den, annars med PKCS11_MODULE_PATH</translation>
+    </message>
+    <message>
+        <source>It gets the SHA-256 to be signed and answers with a CMS (docs/signatures.md)</source>
+        <translation>Det får den SHA-256 som ska signeras och svarar med en CMS (docs/signatures.md)</translation>
+    </message>
+    <message>
+        <source>Goes to the program that signs, and is kept nowhere</source>
+        <translation>Går till programmet som signerar och sparas ingenstans</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>ingen</translation>
+    </message>
+    <message>
+        <source>http://HOST/PATH of an authority that stamps the time of the signature (RFC 3161)</source>
+        <translation>http://VÄRD/SÖKVÄG till en tjänst som stämplar signaturens tid (RFC 3161)</translation>
+    </message>
+    <message>
+        <source>&amp;PIN</source>
+        <translation>&amp;PIN</translation>
+    </message>
+    <message>
+        <source>&amp;Passphrase</source>
+        <translation>&amp;Lösenfras</translation>
+    </message>
+    <message>
+        <source>Key that signs</source>
+        <translation>Nyckel som signerar</translation>
+    </message>
+    <message>
+        <source>Keys (*.p12 *.pfx *.pem);;All files (*)</source>
+        <translation>Nycklar (*.p12 *.pfx *.pem);;Alla filer (*)</translation>
+    </message>
+</context>
+<context>
     <name>dyncal::SourceNotice</name>
     <message numerus="yes">
         <source>%n more file(s) likewise.</source>
@@ -15082,6 +15254,75 @@ steget</translation>
     <message>
         <source>All files (*)</source>
         <translation>Alla filer (*)</translation>
+    </message>
+    <message>
+        <source>Signed by</source>
+        <translation>Signerat av</translation>
+    </message>
+    <message>
+        <source>Signed at</source>
+        <translation>Signerat den</translation>
+    </message>
+    <message>
+        <source>Time stamp</source>
+        <translation>Tidsstämpel</translation>
+    </message>
+    <message>
+        <source>&amp;Trusted certificates</source>
+        <translation>&amp;Betrodda certifikat</translation>
+    </message>
+    <message>
+        <source>none: every signer is unknown</source>
+        <translation>inga: varje undertecknare är okänd</translation>
+    </message>
+    <message>
+        <source>A PEM file with certificates of authorities or signers that you know to be genuine</source>
+        <translation>En PEM-fil med certifikat för utfärdare eller undertecknare som du vet är äkta</translation>
+    </message>
+    <message>
+        <source>C&amp;hoose...</source>
+        <translation>Väl&amp;j ...</translation>
+    </message>
+    <message>
+        <source>Valid &amp;on</source>
+        <translation>&amp;Giltigt den</translation>
+    </message>
+    <message>
+        <source>today</source>
+        <translation>i dag</translation>
+    </message>
+    <message>
+        <source>The day on which the signer&apos;s certificate must be valid, as 2026-01-31; a time stamp stands for an earlier one</source>
+        <translation>Dagen då undertecknarens certifikat måste gälla, som 2026-01-31; en tidsstämpel står för en tidigare</translation>
+    </message>
+    <message>
+        <source>Trusted certificates</source>
+        <translation>Betrodda certifikat</translation>
+    </message>
+    <message>
+        <source>Certificates (*.pem *.crt *.cer);;All files (*)</source>
+        <translation>Certifikat (*.pem *.crt *.cer);;Alla filer (*)</translation>
+    </message>
+    <message numerus="yes">
+        <source>■ %n changed, missing or unreadable</source>
+        <translation>
+            <numerusform>■ %n ändrad, saknad eller oläslig</numerusform>
+            <numerusform>■ %n ändrade, saknade eller oläsliga</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>▲ %n unchanged, but not signed, or by a signer that is not known or expired</source>
+        <translation>
+            <numerusform>▲ %n oförändrad, men inte signerad, eller av en undertecknare som är okänd eller vars certifikat gått ut</numerusform>
+            <numerusform>▲ %n oförändrade, men inte signerade, eller av en undertecknare som är okänd eller vars certifikat gått ut</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>● %n valid</source>
+        <translation>
+            <numerusform>● %n giltig</numerusform>
+            <numerusform>● %n giltiga</numerusform>
+        </translation>
     </message>
 </context>
 <context>

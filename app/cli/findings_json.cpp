@@ -29,4 +29,9 @@ Json findingsJson(const Findings &findings)
     return list;
 }
 
+Json textOrNull(const std::string &text)
+{
+    return text.empty() ? Json() : Json(text);
+}
+
 } // namespace dyncal

@@ -13,4 +13,7 @@ namespace dyncal {
 /// does not have is null.
 nlohmann::json findingsJson(const Findings &findings);
 
+/// Null for an empty text.
+nlohmann::json textOrNull(const std::string &text);
+
 } // namespace dyncal

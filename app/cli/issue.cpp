@@ -19,6 +19,7 @@
 #include "core/project/template_choice.h"
 #include "registry/cards/card_filling.h"
 #include "registry/cards/card_register.h"
+#include "registry/issued/file_signatures.h"
 #include "ui/report/report_logo.h"
 
 #include <filesystem>
@@ -74,15 +75,18 @@ int refuse(const Findings &obstacles, bool json)
 int conclude(const IssuedCertificate &issued, bool json)
 {
     const CertificateRecord &record = issued.record;
+    // As it stands in the files: the service that sealed it said nothing of its name.
+    const std::string signer = checkFolderSignatures(issued.folder, {}).signer;
     if (json)
         std::cout << jsonText({{"number", record.number}, {"folder", issued.folder},
             {"state", certificateStateName(record.state)}, {"head", record.head},
-            {"files", record.files}, {"signed", issued.isSigned},
+            {"files", record.files}, {"signed", issued.isSigned}, {"signer", textOrNull(signer)},
+            {"time_stamp_authority", textOrNull(issued.authority)},
             {"findings", nlohmann::json::array()}});
     else
         std::cout << "Certificate " << record.number << ", " << certificateStateName(record.state)
-                  << (issued.isSigned ? ", signed: " : ", not signed: ")
-                  << presentable(issued.folder) << '\n';
+                  << (issued.isSigned ? ", signed by " + presentable(signer) : ", not signed")
+                  << ": " << presentable(issued.folder) << '\n';
     return static_cast<int>(ExitCode::Done);
 }
 

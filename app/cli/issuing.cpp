@@ -209,8 +209,8 @@ Result<IssuedCertificate> issueCertificate(const ProjectState &job, const Pipeli
         = registerIssued(order.registry, record.number, *hashes, order.names.utc);
     if (!issued)
         return tl::unexpected<Error>(issued.error());
-    return IssuedCertificate{
-        *issued, issuedFolder(order.output, record.number), order.signing.isSigned()};
+    return IssuedCertificate{*issued, issuedFolder(order.output, record.number),
+        order.signing.isSigned(), order.signing.authority};
 }
 
 } // namespace dyncal

@@ -33,6 +33,7 @@ struct IssuedCertificate
     CertificateRecord record;
     std::string folder;
     bool isSigned = false;
+    std::string authority = {}; ///< whose time stamp it got now; empty: none, or issued before
 };
 
 /// Numbers, writes and registers the certificate of a job that has no obstacles (issueObstacles),

@@ -6,11 +6,14 @@
 #include "core/signing/http_post.h"
 #include "core/signing/seal_command.h"
 
+#include <fcntl.h>
 #include <sys/prctl.h>
 #include <unistd.h>
 
 namespace dyncal {
 namespace {
+
+constexpr int kNoDescriptor = -1;
 
 Result<void> checkTogether(const SigningOptions &options)
 {
@@ -34,12 +37,26 @@ Result<void> checkTogether(const SigningOptions &options)
     return {};
 }
 
+/// No program that is started from here inherits it. A standard stream stays open, so that nothing
+/// that is opened later takes its place.
+void closeRead(int descriptor)
+{
+    const int nothing
+        = descriptor <= STDERR_FILENO ? ::open("/dev/null", O_RDWR | O_CLOEXEC) : kNoDescriptor;
+    if (nothing == kNoDescriptor) {
+        ::close(descriptor);
+        return;
+    }
+    ::dup2(nothing, descriptor);
+    ::close(nothing);
+}
+
 Result<SecretBytes> secretOf(const SigningOptions &options)
 {
     if (options.pinDescriptor < 0)
         return SecretBytes();
     Result<SecretBytes> secret = SecretBytes::readFrom(options.pinDescriptor);
-    ::close(options.pinDescriptor); // no program that is started from here inherits it
+    closeRead(options.pinDescriptor);
     return secret;
 }
 

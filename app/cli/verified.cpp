@@ -3,6 +3,8 @@
 
 #include "app/cli/verified.h"
 
+#include "app/cli/findings_json.h"
+
 #include "core/base/foreign_text.h"
 
 #include <algorithm>
@@ -29,11 +31,6 @@ int codeOf(const Verified &one)
         break;
     }
     return 3;
-}
-
-nlohmann::json textOrNull(const std::string &text)
-{
-    return text.empty() ? nlohmann::json() : nlohmann::json(text);
 }
 
 nlohmann::json jsonOf(const Verified &one)

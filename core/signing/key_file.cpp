@@ -44,7 +44,7 @@ tl::unexpected<Error> wrongSecret(const std::string &path, const SecretBytes &se
     if (!secret.isGiven())
         return fail(ErrorKind::Usage,
             {DYNCAL_TEXT("core",
-                 "The key in %1 has a passphrase, and none was given; give it by --pin-fd N."),
+                 "The key in %1 has a passphrase, and none was given; give it by --pin-fd N, or in its field of the window."),
                 {path}});
     return fail(ErrorKind::Usage,
         {DYNCAL_TEXT("core", "The passphrase does not open the key in %1; give the right one."),

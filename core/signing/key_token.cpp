@@ -79,17 +79,6 @@ std::string modulePath(const std::vector<std::string> &attributes)
     return set != nullptr ? set : "";
 }
 
-Result<void> checkUri(const std::vector<std::string> &attributes)
-{
-    for (const std::string &one : attributes)
-        if (one.starts_with("pin-value=") || one.starts_with("pin-source="))
-            return fail(ErrorKind::Usage,
-                {DYNCAL_TEXT("core",
-                     "The URI of the token holds a PIN, which others could read in the list of processes; leave it out and give the PIN by --pin-fd N."),
-                    {}});
-    return {};
-}
-
 tl::unexpected<Error> noEngine(const std::string &module)
 {
     ERR_clear_error();
@@ -140,7 +129,7 @@ tl::unexpected<Error> noTokenKey(const std::string &uri, const SecretBytes &pin)
     if (!pin.isGiven())
         return fail(ErrorKind::Usage,
             {DYNCAL_TEXT("core",
-                 "The token gives no private key for %1 without a PIN; give it by --pin-fd N."),
+                 "The token gives no private key for %1 without a PIN; give it by --pin-fd N, or in its field of the window."),
                 {uri}});
     return fail(ErrorKind::Usage,
         {DYNCAL_TEXT("core",
@@ -155,11 +144,22 @@ bool isTokenUri(const std::string &source)
     return source.starts_with(kScheme);
 }
 
+Result<void> checkTokenUri(const std::string &uri)
+{
+    for (const std::string &one : attributesOf(uri))
+        if (one.starts_with("pin-value=") || one.starts_with("pin-source="))
+            return fail(ErrorKind::Usage,
+                {DYNCAL_TEXT("core",
+                     "The URI of the token holds a PIN, which others could read in the list of processes; leave it out and give the PIN by --pin-fd N, or in its field of the window."),
+                    {}});
+    return {};
+}
+
 Result<KeyMaterial> keyOfToken(const std::string &uri, const SecretBytes &pin)
 {
-    const std::vector<std::string> attributes = attributesOf(uri);
-    if (const Result<void> fit = checkUri(attributes); !fit)
+    if (const Result<void> fit = checkTokenUri(uri); !fit)
         return tl::unexpected<Error>(fit.error());
+    const std::vector<std::string> attributes = attributesOf(uri);
     const Result<Engine> engine = openEngine(modulePath(attributes), pin);
     if (!engine)
         return tl::unexpected<Error>(engine.error());

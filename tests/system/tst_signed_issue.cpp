@@ -82,6 +82,8 @@ private slots:
         const Answer issued = job.issue(byKey());
         QVERIFY2(issued.exitCode == 0, issued.err);
         QVERIFY(issued.json()["signed"].toBool());
+        QCOMPARE(issued.json()["signer"].toString(), "Example Laboratory");
+        QVERIFY(issued.json()["time_stamp_authority"].isNull());
         QVERIFY2(pdfsig(job).contains("Signature is Valid"), pdfsig(job));
         QVERIFY(pdfsig(job).contains("Total document signed"));
         const QJsonObject known = verified(job, trust(), 1); // recordings were not looked for
@@ -183,6 +185,8 @@ private slots:
             = job.issue(byKey() + QStringList{"--tsa", QString::fromStdString(server.url())});
         QVERIFY2(issued.exitCode == 0, issued.err);
         QCOMPARE(issued.json()["number"].toInt(), 1); // the reserved one
+        QCOMPARE(
+            issued.json()["time_stamp_authority"].toString(), QString::fromStdString(server.url()));
         const QJsonObject found = verified(job, trust() + QStringList{"--at", "2040-01-01"}, 1);
         QCOMPARE(found["status"].toString(), "valid"); // the time stamp shows that it was
         QVERIFY(found["stamped_utc"].toString().endsWith('Z'));

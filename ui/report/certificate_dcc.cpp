@@ -3,6 +3,7 @@
 
 #include "ui/report/certificate_dcc.h"
 
+#include "core/dcc/dcc_check.h"
 #include "core/dcc/dcc_document.h"
 #include "ui/report/report_language.h"
 #include "ui/text/filled_words.h"
@@ -23,6 +24,13 @@ std::string certificateDcc(const CertificateData &certificate, const Calibration
                 = filledWords(message, own, language.numbers().decimalPoint().front());
             return said.toStdString();
         });
+}
+
+Result<DccCheck> draftDccCheck(const CalibrationResults &results, const Recipe &recipe,
+    const std::string &createdUtc, const ChosenTemplate &chosen)
+{
+    return checkDcc(certificateDcc(
+        certificateOf(results, recipe, createdUtc, chosen, {}), results, recipe, {}));
 }
 
 } // namespace dyncal

@@ -101,11 +101,11 @@ struct ReportDrawing::Private
             problem = pdf.error();
     }
 
-    /// A draft's, behind the certificate that it belongs to; an issued one is signed before it is
-    /// embedded (issuing).
+    /// A draft's, behind the certificate that it belongs to, of a whole set of results; an issued
+    /// one is signed before it is embedded (issuing).
     void addDcc()
     {
-        if (results.response && !issue && !drawn.empty())
+        if (plots && results.response && !issue && !drawn.empty())
             drawn.insert(
                 drawn.begin() + 1, {kDccFile, certificateDcc(data, results, recipe, issue)});
     }

@@ -18,12 +18,12 @@ namespace dyncal {
 
 enum class ReportParts { Certificate, CertificateAndPlots };
 
-/// Draws certificate.pdf and plots/NN-name.svg of one set of results in memory, in steps, and makes
-/// the dcc.xml that says the same: drawing
-/// needs the thread of the window, which must stay free to answer. All texts are in the language of
-/// the recipe's certificate, whatever that of the window; `createdUtc` (ISO 8601 with Z) is printed
-/// and makes the bytes reproducible. A draft unless `issue` makes it a certificate; `chosen`
-/// says what it shows; `moreFigures` are those of sections that the results do not know of. Needs a
+/// Draws certificate.pdf and, where asked for, plots/NN-name.svg of one set of results in memory,
+/// in steps, and makes with the plots the dcc.xml that says the same: drawing needs the thread of
+/// the window, which must stay free to answer. All texts are in the language of the recipe's
+/// certificate, whatever that of the window; `createdUtc` (ISO 8601 with Z) is printed and makes
+/// the bytes reproducible. A draft unless `issue` makes it a certificate; `chosen` says what it
+/// shows; `moreFigures` are those of sections that the results do not know of. Needs a
 /// QApplication.
 class ReportDrawing
 {
@@ -42,8 +42,8 @@ public:
     /// ten milliseconds at most.
     void draw(std::chrono::milliseconds budget);
 
-    /// What was drawn, the certificate first, and the DCC behind it where there is a response.
-    /// Internal if drawing failed.
+    /// What was drawn, the certificate first; with plots of a draft the DCC behind it where there
+    /// is a response. Internal if drawing failed.
     Result<std::vector<DrawnFile>> take();
 
 private:

@@ -3,6 +3,7 @@
 
 #include "core/base/content_hash.h"
 #include "core/signing/cms_signature.h"
+#include "core/signing/key_token.h"
 #include "core/signing/xml_signing.h"
 #include "core/signing/xml_verifying.h"
 #include "tests/support/known_secret.h"
@@ -36,6 +37,20 @@ private slots:
         QVERIFY(m_keys.make("lab", "Lab"));
         m_token = std::make_unique<MadeToken>(m_keys);
         QVERIFY(m_token->isMade);
+    }
+
+    void uriWithAPin_isRefusedBeforeItIsUsed()
+    {
+        for (const char *fine : {"pkcs11:token=lab;object=seal",
+                 "pkcs11:", "pkcs11:object=pin-value?module-path=/usr/lib/pin-source.so"})
+            QVERIFY2(checkTokenUri(fine).has_value(), fine);
+        for (const char *bad :
+            {"pkcs11:token=lab?pin-value=4815", "pkcs11:pin-source=/pin;token=lab",
+                "pkcs11:token=lab?module-path=/a.so&pin-value="}) {
+            const auto fit = checkTokenUri(bad);
+            QVERIFY2(!fit && fit.error().kind == ErrorKind::Usage, bad);
+            QVERIFY(english(fit.error().message).find("4815") == std::string::npos);
+        }
     }
 
     void otherwise_oneSentence()

@@ -117,7 +117,7 @@ private slots:
     void write_noResults_stillGivesCertificate();
     void write_manyPolesAndFindings_repeatsTableHeads();
     void draw_inSteps_givesTheSameBytesAndTellsHowFar();
-    void draw_certificateOnly_givesTheSameCertificateItsDccAndNoPlot();
+    void draw_certificateOnly_givesTheSameCertificateAndNothingElse();
     void draw_betweenSteps_leavesLanguageAndNumbersOfTheWindow();
 
 private:
@@ -349,7 +349,7 @@ void TestReport::draw_inSteps_givesTheSameBytesAndTellsHowFar()
     }
 }
 
-void TestReport::draw_certificateOnly_givesTheSameCertificateItsDccAndNoPlot()
+void TestReport::draw_certificateOnly_givesTheSameCertificateAndNothingElse()
 {
     ReportDrawing drawing(
         dyncal::example::calibration(), exampleRecipe(), kCreated, ReportParts::Certificate);
@@ -357,9 +357,8 @@ void TestReport::draw_certificateOnly_givesTheSameCertificateItsDccAndNoPlot()
     QVERIFY(drawing.isDone());
     const Result<std::vector<DrawnFile>> drawn = drawing.take();
     QVERIFY(drawn.has_value());
-    QCOMPARE(drawn->size(), std::size_t(2));
+    QCOMPARE(drawn->size(), std::size_t(1));
     QVERIFY(QByteArray::fromStdString(drawn->front().bytes) == bytesOf(certificate()));
-    QCOMPARE(drawn->back().name, std::string("dcc.xml"));
 }
 
 void TestReport::draw_betweenSteps_leavesLanguageAndNumbersOfTheWindow()

@@ -18,7 +18,9 @@ constexpr int kLayoutVersion = 2;
 
 QString issuingKey(Preferences::Issuing what)
 {
-    constexpr const char *kKeys[]{"issuing/by", "issuing/folder", "issuing/registry"};
+    constexpr const char *kKeys[]{"issuing/by", "issuing/folder", "issuing/registry",
+        "issuing/signature", "issuing/key", "issuing/token", "issuing/service", "issuing/authority",
+        "issuing/trust"};
     return kKeys[static_cast<std::size_t>(what)];
 }
 

@@ -38,8 +38,10 @@ public:
     void setLastFolder(const QString &folder);
 
     /// Of issued certificates: who issues them, where their folders go, which registry (without a
-    /// server's password). Empty until they were given.
-    enum class Issuing { By, Folder, Registry };
+    /// server's password), who signs (a SigningWay, its key, token, service and
+    /// authority; never a PIN), and which certificates are trusted when verifying. Empty until they
+    /// were given.
+    enum class Issuing { By, Folder, Registry, Way, KeyFile, Token, Service, Authority, Trust };
     QString issuing(Issuing what) const;
     void setIssuing(Issuing what, const QString &text);
 

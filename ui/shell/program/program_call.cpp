@@ -5,6 +5,8 @@
 
 #include "ui/text/shown_text.h"
 
+#include <unistd.h>
+
 namespace dyncal {
 
 namespace {
@@ -53,6 +55,15 @@ void ProgramCall::start(const QStringList &arguments)
 {
     m_isStopped = false;
     m_process.start(m_program, arguments);
+}
+
+void ProgramCall::start(const QStringList &arguments, SecretPipe secret)
+{
+    if (secret.isGiven())
+        m_process.setChildProcessModifier(
+            [from = secret.readEnd()] { ::dup2(from, STDIN_FILENO); });
+    start(arguments);
+    m_process.setChildProcessModifier({});
 }
 
 void ProgramCall::stop()

@@ -3,6 +3,8 @@
 
 #pragma once
 
+#include "ui/shell/program/secret_pipe.h"
+
 #include <QObject>
 #include <QProcess>
 #include <QStringList>
@@ -36,6 +38,8 @@ public:
 
     void setProgram(const QString &program) { m_program = program; }
     void start(const QStringList &arguments);
+    /// The same with a passphrase or PIN as its standard input, which it reads by `--pin-fd 0`.
+    void start(const QStringList &arguments, SecretPipe secret);
     void stop(); ///< as Ctrl-C does: what is complete stays
     bool isStopping() const { return isRunning() && m_isStopped; }
     bool isRunning() const { return m_process.state() != QProcess::NotRunning; }

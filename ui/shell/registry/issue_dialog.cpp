@@ -8,6 +8,7 @@
 #include "ui/shell/files/file_actions.h"
 #include "ui/shell/preferences/preferences.h"
 #include "ui/shell/registry/registry_rows.h"
+#include "ui/shell/registry/signing_panel.h"
 #include "ui/stages/frame/prompts.h"
 #include "ui/text/finding_text.h"
 #include "ui/text/shown_text.h"
@@ -28,7 +29,7 @@ namespace dyncal {
 
 namespace {
 
-constexpr QSize kFirstSize(720, 560);
+constexpr QSize kFirstSize(720, 680);
 constexpr int kBlocked = 2; ///< exit code
 
 QLineEdit *line(const char *name, const QString &text, QWidget *parent)
@@ -44,6 +45,22 @@ QPushButton *button(const char *name, QWidget *parent)
     made->setObjectName(name);
     made->setAutoDefault(false); // Return ends the typing of a field
     return made;
+}
+
+/// "A certificate is issued": its number, who signed it, and where it is.
+QString issuedSentence(const QJsonObject &said)
+{
+    const QString number = QString::number(said["number"].toInteger());
+    const QString folder = shownText(QDir::toNativeSeparators(said["folder"].toString()));
+    if (!said["signed"].toBool())
+        return IssueDialog::tr("Certificate %1 is issued, not signed: %2").arg(number, folder);
+    const QString signer = shownText(said["signer"].toString());
+    const QString authority = shownText(said["time_stamp_authority"].toString());
+    return authority.isEmpty()
+        ? IssueDialog::tr("Certificate %1 is issued and signed by %2: %3")
+              .arg(number, signer, folder)
+        : IssueDialog::tr("Certificate %1 is issued, signed by %2 and time stamped by %3: %4")
+              .arg(number, signer, authority, folder);
 }
 
 } // namespace
@@ -67,6 +84,7 @@ IssueDialog::IssueDialog(Session &session, CurrentUtc currentUtc, FileActions &f
     , m_reviewedBy(line("issueReviewedBy", {}, this))
     , m_reason(line("issueReason", {}, this))
     , m_reasonLabel(new QLabel(this))
+    , m_signing(new SigningPanel(preferences, prompts, this))
     , m_obstacles(new QListWidget(this))
     , m_progress(new QProgressBar(this))
     , m_outcome(new QLabel(this))
@@ -92,6 +110,7 @@ IssueDialog::IssueDialog(Session &session, CurrentUtc currentUtc, FileActions &f
     auto *column = new QVBoxLayout(this);
     column->addWidget(m_state);
     column->addLayout(form);
+    column->addWidget(m_signing);
     column->addWidget(m_obstacles, 1);
     column->addWidget(m_progress);
     column->addWidget(m_outcome);
@@ -109,11 +128,15 @@ void IssueDialog::followChanges()
     connect(m_registry, &QLineEdit::editingFinished, this, &IssueDialog::useAddress);
     for (QLineEdit *edit : {m_folder, m_by, m_reviewedBy, m_reason})
         connect(edit, &QLineEdit::textChanged, this, &IssueDialog::showObstacles);
+    connect(m_signing, &SigningPanel::changed, this, &IssueDialog::showObstacles);
     for (const auto signal : {&Session::resultsChanged, &Session::recipeChanged,
              &Session::capturesChanged, &Session::sourcesChanged, &Session::stageStatusChanged})
         connect(&m_session, signal, this, &IssueDialog::showObstacles);
     connect(&m_caller, &RegistryCaller::busyChanged, this, &IssueDialog::showWork);
-    connect(&m_caller, &RegistryCaller::failed, m_outcome, &QLabel::setText);
+    connect(&m_caller, &RegistryCaller::failed, this, [this](const QString &sentence) {
+        m_outcome->setText(sentence);
+        m_signing->askAgain();
+    });
 }
 
 void IssueDialog::buildForm(QFormLayout &form)
@@ -166,6 +189,7 @@ void IssueDialog::showObstacles()
         m_obstacles->addItem(tr("Name the folder of certificates."));
     if (m_inForce > 0 && m_reason->text().trimmed().isEmpty())
         m_obstacles->addItem(tr("Say what changed, for the amendment."));
+    m_obstacles->addItems(m_signing->choice().obstacles());
     m_isFree = m_obstacles->count() == 0;
     if (m_isFree)
         m_obstacles->addItem(tr("Nothing keeps it from being issued."));
@@ -176,6 +200,7 @@ void IssueDialog::showObstacles()
 void IssueDialog::showWork()
 {
     m_issue->setEnabled(m_isFree && !isBusy());
+    m_signing->setEnabled(!isBusy());
     m_progress->setVisible(isBusy());
 }
 
@@ -221,10 +246,10 @@ void IssueDialog::askForFolder()
         m_folder->setText(path);
 }
 
-QStringList IssueDialog::command() const
+QStringList IssueDialog::command(bool isSecretGiven) const
 {
-    QStringList words{
-        "issue", m_files.projectPath(), "-o", m_folder->text(), "--unsigned", "--json"};
+    QStringList words{"issue", m_files.projectPath(), "-o", m_folder->text(), "--json"};
+    words += m_signing->choice().words(isSecretGiven);
     const auto add = [&](const char *option, const QString &text) {
         if (!text.trimmed().isEmpty())
             words << QLatin1String(option) + text.trimmed();
@@ -247,7 +272,11 @@ void IssueDialog::issue()
     m_preferences.setIssuing(Issuing::By, m_by->text().trimmed());
     m_preferences.setIssuing(Issuing::Folder, m_folder->text());
     m_outcome->setText(tr("The project is computed once more and its certificate written."));
-    m_caller.call(command(), [this](const ProgramAnswer &answer) { take(answer); });
+    m_signing->remember();
+    SecretPipe secret = m_signing->takeSecret();
+    const QStringList words = command(secret.isGiven());
+    m_caller.call(
+        words, [this](const ProgramAnswer &answer) { take(answer); }, std::move(secret));
 }
 
 void IssueDialog::take(const ProgramAnswer &answer)
@@ -260,9 +289,7 @@ void IssueDialog::take(const ProgramAnswer &answer)
         m_outcome->setText(tr("No certificate was issued. %1").arg(reasons.join(' ')));
         return;
     }
-    m_outcome->setText(tr("Certificate %1 is issued, not signed: %2")
-                           .arg(said["number"].toInteger())
-                           .arg(shownText(QDir::toNativeSeparators(said["folder"].toString()))));
+    m_outcome->setText(issuedSentence(said));
     m_reason->clear();
     lookUp();
 }

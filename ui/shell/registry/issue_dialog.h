@@ -22,6 +22,7 @@ class FileActions;
 class Preferences;
 class Prompts;
 class Session;
+class SigningPanel;
 
 /// File > Issue certificate: what keeps the certificate of this job from being issued, live; then
 /// the number, the registry's entry and the frozen folder, as `dyncal issue` makes them. A job that
@@ -49,7 +50,7 @@ private:
     void useAddress();
     void askForFolder();
     void issue();
-    QStringList command() const;
+    QStringList command(bool isSecretGiven) const;
     void take(const ProgramAnswer &answer);
 
     Session &m_session;
@@ -68,6 +69,7 @@ private:
     QLineEdit *m_reviewedBy;
     QLineEdit *m_reason;
     QLabel *m_reasonLabel;
+    SigningPanel *m_signing;
     QListWidget *m_obstacles;
     QProgressBar *m_progress;
     QLabel *m_outcome;

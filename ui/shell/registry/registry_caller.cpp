@@ -37,7 +37,7 @@ bool RegistryCaller::useAddress(const QString &typed)
     return true;
 }
 
-ProgramCall *RegistryCaller::call(QStringList arguments, const Then &then)
+ProgramCall *RegistryCaller::call(QStringList arguments, const Then &then, SecretPipe secret)
 {
     if (!m_address.isEmpty())
         arguments << QStringLiteral("--registry") << m_address;
@@ -46,7 +46,7 @@ ProgramCall *RegistryCaller::call(QStringList arguments, const Then &then)
         [this, call, then](const ProgramAnswer &answer) { finish(call, answer, then); });
     ++m_running;
     emit busyChanged();
-    call->start(arguments);
+    call->start(arguments, std::move(secret));
     return call;
 }
 

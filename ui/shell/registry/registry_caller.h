@@ -38,9 +38,9 @@ public:
     /// same one.
     bool useAddress(const QString &typed);
 
-    /// Runs `arguments` with the registry added; `then` follows where it came to its end, else
-    /// failed().
-    ProgramCall *call(QStringList arguments, const Then &then);
+    /// Runs `arguments` with the registry added, and with a secret where there is one (`--pin-fd 0`
+    /// reads it); `then` follows where it came to its end, else failed().
+    ProgramCall *call(QStringList arguments, const Then &then, SecretPipe secret = {});
     /// The same to show something: an answer that `reader` still waits for is given up, as it would
     /// be of an earlier moment, or of another registry. Where some of it could not be read, that
     /// is said and the rest shown.

@@ -121,8 +121,22 @@ std::vector<QVariantList> verifiedRows(const QJsonArray &verified)
         return QVariantList{text(one["file"]), wordOf(kKinds, one["kind"].toString()),
             wordOf(kStatuses, one["status"].toString()), numberOrNone(one["number"]),
             one["state"].isString() ? certificateStateText(one["state"].toString()) : QString(),
-            remarksOf(one)};
+            text(one["signer"]), timeText(one["signed_utc"].toString()),
+            timeText(one["stamped_utc"].toString()), remarksOf(one)};
     });
+}
+
+VerifiedCounts countsOf(const QJsonArray &verified)
+{
+    VerifiedCounts counts;
+    for (const QJsonValue one : verified) {
+        const QString status = one["status"].toString();
+        const bool isValid = status == QLatin1String("valid");
+        const bool isBad = status == QLatin1String("changed") || status == QLatin1String("missing")
+            || status == QLatin1String("unreadable");
+        ++(isValid ? counts.valid : isBad ? counts.bad : counts.doubtful);
+    }
+    return counts;
 }
 
 QString certificateStateText(const QString &state)

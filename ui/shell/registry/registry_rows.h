@@ -25,8 +25,19 @@ std::vector<QVariantList> certificateRows(const QJsonArray &records);
 /// `dyncal registry trail`: number of the entry, time, who, action, object, reason.
 std::vector<QVariantList> trailRows(const QJsonArray &entries);
 
-/// `dyncal verify`: file, kind, status, number, state, the first difference or remarks.
+/// `dyncal verify`: file, kind, status, number, state, signer, signed and stamped at, the first
+/// difference or remarks.
 std::vector<QVariantList> verifiedRows(const QJsonArray &verified);
+
+/// How many of them are valid; changed, missing or unreadable; and neither: not signed, of an
+/// unknown signer, expired.
+struct VerifiedCounts
+{
+    int valid = 0;
+    int bad = 0;
+    int doubtful = 0;
+};
+VerifiedCounts countsOf(const QJsonArray &verified);
 
 /// "issued", "replaced", ... in the language of the window.
 QString certificateStateText(const QString &state);

@@ -6,6 +6,9 @@
 #include <QJsonArray>
 #include <QWidget>
 
+class QHBoxLayout;
+class QLabel;
+class QLineEdit;
 class QPushButton;
 
 namespace dyncal {
@@ -15,7 +18,8 @@ class Prompts;
 class RegistryCaller;
 class RowsView;
 
-/// Issued folders, registries, projects, recordings and single files held against what they state.
+/// Issued folders, registries, projects, recordings and single files held against what they state,
+/// and their signatures: whose they are, and whether the certificates of --trust stand behind them.
 class VerifyTab : public QWidget
 {
     Q_OBJECT
@@ -26,9 +30,13 @@ public:
     void showWords();
 
 private:
+    QHBoxLayout *trustLine();
+    void askForTrust();
     void askForFolder();
     void askForFiles();
     void verify(const QStringList &paths);
+    QStringList command() const;
+    void show();
 
     RegistryCaller &m_caller;
     Prompts &m_prompts;
@@ -37,6 +45,12 @@ private:
     RowsView *m_table;
     QPushButton *m_folder;
     QPushButton *m_files;
+    QLabel *m_trustLabel;
+    QLineEdit *m_trust;
+    QPushButton *m_chooseTrust;
+    QLabel *m_momentLabel;
+    QLineEdit *m_moment;
+    QLabel *m_summary;
 };
 
 } // namespace dyncal

@@ -5,6 +5,9 @@
 
 #include "core/certificate/certificate.h"
 #include "core/certificate/certificate_data.h"
+#include "core/dcc/iso_codes.h"
+#include "ui/stages/certificate/dcc_panel.h"
+#include "ui/stages/certificate/dcc_remarks.h"
 #include "ui/stages/certificate/decision_panel.h"
 #include "ui/stages/certificate/preview_panel.h"
 #include "ui/stages/certificate/template_panel.h"
@@ -41,12 +44,14 @@ struct FormField
     std::size_t group;
 };
 
-constexpr std::array<FormField, 17> kFields{{
+constexpr std::array<FormField, 19> kFields{{
     {"laboratory", 0},
     {"laboratory_address", 0},
+    {"laboratory_country", 0},
     {"place", 0},
     {"customer", 0},
     {"customer_address", 0},
+    {"customer_country", 0},
     {"sensor_manufacturer", 1},
     {"sensor_model", 1},
     {"sensor_serial", 1},
@@ -69,6 +74,11 @@ bool isDate(std::string_view key)
     return key.starts_with("date_");
 }
 
+bool isCountry(std::string_view key)
+{
+    return key.ends_with("_country");
+}
+
 /// A field as the certificate itself has it: its label, and whether it must be there.
 const CertificateField *fieldOf(const CertificateData &data, std::string_view key)
 {
@@ -88,7 +98,8 @@ CertificatePage::CertificatePage(Session &session, CurrentUtc currentUtc)
         Page::Certificate)
 {
     auto *split = new FoldingSplitter(this);
-    split->addWidget(builtForm());
+    m_form = builtForm();
+    split->addWidget(m_form);
     m_preview = new PreviewPanel(session, std::move(currentUtc), split);
     split->addWidget(m_preview);
     split->setStretchFactor(0, 2);
@@ -98,7 +109,7 @@ CertificatePage::CertificatePage(Session &session, CurrentUtc currentUtc)
     buildInspector();
 }
 
-QWidget *CertificatePage::builtForm()
+InspectorScroll *CertificatePage::builtForm()
 {
     auto *page = new QWidget;
     auto *column = new QVBoxLayout(page);
@@ -112,7 +123,9 @@ QWidget *CertificatePage::builtForm()
         = makeCertificate({}, {}, {}); // every field that must be there is missing
     for (const FormField &field : kFields) {
         const CertificateField *printed = fieldOf(empty, field.key);
-        const QString label = printed ? translated(printed->label) : tr("Remarks");
+        const QString label = printed ? translated(printed->label)
+            : isCountry(field.key)    ? countryLabel(field.key)
+                                      : tr("Remarks");
         QWidget *edit = nullptr;
         if (field.key == std::string_view(kRemarks)) {
             m_remarks = new QPlainTextEdit(page);
@@ -126,6 +139,10 @@ QWidget *CertificatePage::builtForm()
             line->setMinimumWidth(kLeastOfField * fontMetrics().averageCharWidth());
             if (isDate(field.key))
                 setWholePlaceholder(*line, tr("YYYY-MM-DD"));
+            if (isCountry(field.key)) {
+                setWholePlaceholder(*line, QStringLiteral("SE"));
+                line->setToolTip(tr("Two letters of ISO 3166-1, for the DCC; not printed"));
+            }
             connect(line, &QLineEdit::editingFinished, this,
                 [this, line, key = field.key] { setField(key, line->text().trimmed(), {}); });
             m_edits.emplace_back(field.key, line);
@@ -135,28 +152,34 @@ QWidget *CertificatePage::builtForm()
         edit->setAccessibleName(label);
         const QString heading = printed && printed->missing ? label + " *" : label;
         addWrappedRow(*forms[field.group], heading,
-            isDate(field.key) ? withNote(field.key, m_edits.back().second) : edit);
+            isDate(field.key) || isCountry(field.key) ? withNote(field.key, m_edits.back().second)
+                                                      : edit);
     }
     column->addStretch(1);
     return new InspectorScroll(page);
 }
 
-/// A date with a calendar beside it, and room below it for what is wrong with it.
+/// A date with a calendar beside it, or a country, and room below it for what is wrong with it.
 QWidget *CertificatePage::withNote(const std::string &key, QLineEdit *edit)
 {
     auto *box = new QWidget;
     box->setFocusProxy(edit);
     auto *column = new QVBoxLayout(box);
     column->setContentsMargins(0, 0, 0, 0);
-    auto *note = new QLabel(tr("■ This is not a date. Write it as 2026-01-31."), box);
+    auto *note = new QLabel(isDate(key)
+            ? tr("■ This is not a date. Write it as 2026-01-31.")
+            : tr("■ This is no country. Write its two letters of ISO 3166-1, as SE."),
+        box);
     note->setObjectName("note_" + rawText(key));
     note->setWordWrap(true);
     note->hide();
-    auto *calendar = new CalendarButton(*edit, box);
-    calendar->setObjectName("calendar_" + rawText(key));
     auto *row = new QHBoxLayout;
     row->addWidget(edit);
-    row->addWidget(calendar);
+    if (isDate(key)) {
+        auto *calendar = new CalendarButton(*edit, box);
+        calendar->setObjectName("calendar_" + rawText(key));
+        row->addWidget(calendar);
+    }
     column->addLayout(row);
     column->addWidget(note);
     m_notes.emplace_back(key, note);
@@ -178,6 +201,20 @@ void CertificatePage::buildInspector()
     form->addSection(tr("Checklist"));
     m_missing = form->addNote("missingFields");
     m_cautions = form->addNote("cautionCount");
+    m_dcc = new DccPanel(session(), *form, this);
+    connect(m_preview, &PreviewPanel::outdated, m_dcc, &DccPanel::wait);
+    connect(m_preview, &PreviewPanel::begun, m_dcc, &DccPanel::check);
+    connect(m_dcc, &DccPanel::fieldRequested, this, &CertificatePage::goTo);
+}
+
+/// To a field of the form.
+void CertificatePage::goTo(const std::string &key)
+{
+    for (const auto &[field, edit] : m_edits)
+        if (field == key) {
+            m_form->ensureWidgetVisible(edit);
+            edit->setFocus(Qt::OtherFocusReason);
+        }
 }
 
 void CertificatePage::takeTemplate(const QString &path)
@@ -229,7 +266,9 @@ void CertificatePage::showMissing()
             edit->setPlaceholderText(translated(printed->value));
     for (const auto &[key, note] : m_notes) {
         const CertificateField *printed = fieldOf(printedData, key);
-        note->setVisible(printed && printed->wrong);
+        const QString typed = field(key);
+        note->setVisible(isCountry(key) ? !typed.isEmpty() && !isCountryCode(typed.toStdString())
+                                        : printed && printed->wrong);
     }
     QStringList missing;
     for (const Message &label : printedData.missingFields())

@@ -11,7 +11,9 @@ class QPlainTextEdit;
 
 namespace dyncal {
 
+class DccPanel;
 class DecisionPanel;
+class InspectorScroll;
 class PreviewPanel;
 class TemplatePanel;
 
@@ -36,21 +38,25 @@ protected:
     void showResults() override;
 
 private:
-    QWidget *builtForm();
+    InspectorScroll *builtForm();
     void buildInspector();
     void setField(const std::string &key, const QString &text, const QString &mergeKey);
     QString field(const std::string &key) const;
     void showMissing();
 
+    void goTo(const std::string &key);
+
     QWidget *withNote(const std::string &key, QLineEdit *edit);
 
     std::vector<std::pair<std::string, QLineEdit *>> m_edits;
     std::vector<std::pair<std::string, QLabel *>>
-        m_notes; ///< beside dates: what is wrong with them
+        m_notes; ///< beside dates and countries: what is wrong with them
+    InspectorScroll *m_form;
     QPlainTextEdit *m_remarks;
     TemplatePanel *m_template;
     PreviewPanel *m_preview;
     DecisionPanel *m_decision;
+    DccPanel *m_dcc;
     QLabel *m_missing;
     QLabel *m_cautions;
 };

@@ -91,6 +91,7 @@ void PreviewPanel::follow()
     m_rendering.cancel();
     m_stack->setPale(true);
     m_wait.start(kAfterAChange);
+    emit outdated();
 }
 
 void PreviewPanel::hideEvent(QHideEvent *event)
@@ -130,6 +131,7 @@ void PreviewPanel::draw()
     say(tr("The document is being drawn..."));
     m_drawing.start(std::make_unique<ReportDrawing>(
         m_session.results(), recipe, *now, ReportParts::Certificate, *chosen));
+    emit begun(*now, *chosen);
 }
 
 void PreviewPanel::take(const std::vector<DrawnFile> &files)

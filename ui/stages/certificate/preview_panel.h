@@ -3,6 +3,7 @@
 
 #pragma once
 
+#include "core/project/template_choice.h"
 #include "ui/report/drawing_steps.h"
 #include "ui/session/current_utc.h"
 #include "ui/session/job_runner.h"
@@ -35,6 +36,11 @@ public:
     const std::string &pdf() const { return m_pdf; }
     /// Whether what is on show is what an export would write.
     bool isCurrent() const;
+
+signals:
+    /// The document is drawn of the results and the recipe as they are.
+    void begun(const std::string &createdUtc, const dyncal::ChosenTemplate &chosen);
+    void outdated(); ///< what was drawn is of something older
 
 protected:
     void hideEvent(QHideEvent *event) override;

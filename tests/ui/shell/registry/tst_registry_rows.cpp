@@ -57,6 +57,28 @@ private slots:
         QCOMPARE(certificateStateText("of later versions"), QString("of later versions"));
     }
 
+    void verified_saysWhoSignedAndWhen()
+    {
+        const auto rows = verifiedRows(listOf(R"([
+            {"file": "1", "kind": "certificate", "status": "unknown-signer", "number": 1,
+             "state": "issued", "first_difference": null, "remarks": ["r."], "signer": "Lab",
+             "signed_utc": "2026-01-31T12:00:00Z", "stamped_utc": "2026-01-31T12:00:05Z"}])"));
+        const QVariantList expected{"1", "certificate", "▲ unknown signer", qint64(1), "issued",
+            "Lab", "2026-01-31 12:00:00", "2026-01-31 12:00:05", "r."};
+        QCOMPARE(rows.front(), expected);
+    }
+
+    void everyStatus_isValidBadOrDoubtful()
+    {
+        const VerifiedCounts counts = countsOf(listOf(R"([{"status": "valid"},
+            {"status": "unsigned"}, {"status": "unknown-signer"}, {"status": "expired"},
+            {"status": "changed"}, {"status": "missing"}, {"status": "unreadable"},
+            {"status": "of later versions"}, 7])"));
+        QCOMPARE(counts.valid, 1);
+        QCOMPARE(counts.bad, 3);
+        QCOMPARE(counts.doubtful, 5); // what is not known is not called valid
+    }
+
     void verified_saysTheFirstDifferenceOrTheRemarks()
     {
         const auto rows = verifiedRows(listOf(R"([
@@ -64,9 +86,9 @@ private slots:
              "first_difference": "recipe.json is changed.", "remarks": ["not signed."]},
             {"file": "r", "kind": "registry", "status": "valid", "number": null, "state": null,
              "first_difference": null, "remarks": ["a.", "b."]}])"));
-        QCOMPARE(rows[0][5].toString(), QString("recipe.json is changed."));
+        QCOMPARE(rows[0][8].toString(), QString("recipe.json is changed."));
         QCOMPARE(rows[0][2].toString(), QString("■ changed"));
-        QCOMPARE(rows[1][5].toString(), QString("a. b."));
+        QCOMPARE(rows[1][8].toString(), QString("a. b."));
         QVERIFY(rows[1][3].isNull());
     }
 

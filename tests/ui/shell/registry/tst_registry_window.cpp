@@ -5,14 +5,12 @@
 // program as it is built.
 
 #include "tests/support/test_program.h"
-#include "tests/ui/shell/registry/registry_bench.h"
+#include "tests/ui/shell/registry/issuing_bench.h"
 #include "tests/ui/support/event_loop_watchdog.h"
 #include "tests/ui/support/window_grounds.h"
-#include "ui/shell/registry/issue_dialog.h"
 
 #include <QComboBox>
 #include <QLineEdit>
-#include <QListWidget>
 #include <QPlainTextEdit>
 #include <QTabWidget>
 #include <QTableWidget>
@@ -24,39 +22,9 @@ namespace {
 
 constexpr qint64 kLongestWork_ms = 200;
 
-/// The same with what issues.
-struct Bench : test::RegistryBench
+/// The same with hands.
+struct Bench : test::IssuingBench
 {
-    QPointer<IssueDialog> issuing;
-
-    void openJob() const
-    {
-        window->files().openProjectFile(path("job.dyncal"));
-        QTRY_VERIFY_WITH_TIMEOUT(
-            window->session().state().hasShots() && window->session().isUpToDate(), kPatience_ms);
-    }
-    void showIssuing()
-    {
-        find<QAction>("issueAction")->trigger();
-        issuing = find<IssueDialog>("issueDialog");
-        issuing->setProgram(qEnvironmentVariable("DYNCAL_BINARY"));
-        issuing->lookUp();
-        QTRY_VERIFY_WITH_TIMEOUT(!issuing->isBusy(), kPatience_ms);
-    }
-    void issueNow() const
-    {
-        QVERIFY2(button("issueNow")->isEnabled(), qPrintable(obstacles().join('\n')));
-        button("issueNow")->click();
-        QTRY_VERIFY_WITH_TIMEOUT(!issuing->isBusy(), kPatience_ms);
-    }
-    QStringList obstacles() const
-    {
-        QStringList lines;
-        const auto *list = find<QListWidget>("issueObstacles");
-        for (int row = 0; row < list->count(); ++row)
-            lines << list->item(row)->text();
-        return lines;
-    }
     void choose(const char *table, int row) const { find<QTableView>(table)->selectRow(row); }
     void setCard(int row, int column, const QString &text) const
     {
@@ -150,7 +118,7 @@ void TestRegistryWindow::certificate_isIssuedAmendedAndWithdrawn()
     bench.button("verifyFolder")->click();
     bench.waitForRegistry();
     QCOMPARE(bench.cell("verifyTable", 1, 2), QString("■ changed"));
-    QVERIFY(bench.cell("verifyTable", 1, 5).contains("recipe.json"));
+    QVERIFY(bench.cell("verifyTable", 1, 8).contains("recipe.json"));
 }
 
 void TestRegistryWindow::obstacles_areNamedBeforeAnythingIsWritten()
