@@ -103,8 +103,8 @@ private:
 
 } // namespace
 
-/// Random acts for half a minute in the suite, for ten minutes with three seeds in the long form: no
-/// crash, no warning of Qt, no deadlock, no focus on what is not there, no growth.
+/// Random acts for half a minute in the suite, for ten minutes with three seeds in the long form:
+/// no crash, no warning of Qt, no deadlock, no focus on what is not there, no growth.
 class TestMonkey : public QObject
 {
     Q_OBJECT
