@@ -4659,23 +4659,23 @@ steget</translation>
     </message>
     <message>
         <source>Initial pressure</source>
-        <translation>Begynnelsetryck</translation>
+        <translation>Begynnelse­tryck</translation>
     </message>
     <message>
         <source>Initial temperature</source>
-        <translation>Begynnelsetemperatur</translation>
+        <translation>Begynnelse­temperatur</translation>
     </message>
     <message>
         <source>Shock velocity</source>
-        <translation>Stötvågens hastighet</translation>
+        <translation>Stöt­vågens hastig­het</translation>
     </message>
     <message>
         <source>Mach number</source>
-        <translation>Machtal</translation>
+        <translation>Mach­tal</translation>
     </message>
     <message>
         <source>Pressure step</source>
-        <translation>Trycksteg</translation>
+        <translation>Tryck­steg</translation>
     </message>
     <message>
         <source>Step is</source>

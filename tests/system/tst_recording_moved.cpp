@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "tests/support/test_program.h"
+#include "tests/support/trial_count.h"
 #include "tests/system/dyncal_process.h"
 
 #include <QDir>
@@ -18,7 +19,8 @@ class TestRecordingMoved : public QObject
 
 private:
     static constexpr int kLongest_ms = 60000;
-    static constexpr int kSteps = 12; ///< moments of the change, over the time of the work
+    static constexpr int kMany = 12; ///< moments of the change, over the time of the work
+    static constexpr int kFew = 4; ///< of the same work with another change, in the suite
 
     QTemporaryDir m_folder;
     QString path(const QString &name) const { return m_folder.filePath(name); }
@@ -55,8 +57,9 @@ private:
 private slots:
     void initTestCase()
     {
-        const Answer made
-            = runDyncal({"simulate", "-o", path("kept.h5"), "--duration-s", "0.02", "--seed", "3"});
+        // One shot: what is done with a recording is done three times with three.
+        const Answer made = runDyncal({"simulate", "-o", path("kept.h5"), "--duration-s", "0.01",
+            "--shots", "low", "--seed", "3"});
         QCOMPARE(made.exitCode, 0);
         // The Monte Carlo takes longer than all else and reads no recording.
         QVERIFY(writeBytes(path("quick.json"), R"({"uncertainty": {"monte_carlo_trials": 100}})"));
@@ -74,18 +77,21 @@ private slots:
     {
         QTest::addColumn<QStringList>("verb");
         QTest::addColumn<QString>("change");
+        QTest::addColumn<int>("moments");
+        const int few = dyncal::trials::count(kFew, kMany);
         const QString move = "mv used.h5 moved.h5";
         const QStringList run{"run", "used.h5", "--recipe", "quick.json", "-o", "out"};
-        QTest::newRow("run, moved") << run << move;
-        QTest::newRow("run, removed") << run << "rm used.h5";
-        QTest::newRow("run, permissions") << run << "chmod o-r used.h5";
-        QTest::newRow("run, appended") << run << "printf x >> used.h5";
-        QTest::newRow("check, moved") << QStringList{"check", "used.h5"} << move;
+        QTest::newRow("run, moved") << run << move << kMany;
+        QTest::newRow("run, removed") << run << "rm used.h5" << few;
+        QTest::newRow("run, permissions") << run << "chmod o-r used.h5" << few;
+        QTest::newRow("run, appended") << run << "printf x >> used.h5" << few;
+        QTest::newRow("check, moved") << QStringList{"check", "used.h5"} << move << kMany;
         QTest::newRow("compare, moved")
-            << QStringList{"compare", "used.h5", "--recipe", "quick.json"} << move;
-        QTest::newRow("export, moved")
-            << QStringList{"export", "used.h5", "--recipe", "quick.json", "-o", "out"} << move;
-        QTest::newRow("import, moved") << QStringList{"import", "used.h5", "-o", "new.h5"} << move;
+            << QStringList{"compare", "used.h5", "--recipe", "quick.json"} << move << few;
+        QTest::newRow("export, moved") << QStringList{"export", "used.h5", "--recipe", "quick.json",
+            "-o", "out"} << move << few;
+        QTest::newRow("import, moved")
+            << QStringList{"import", "used.h5", "-o", "new.h5"} << move << kMany;
     }
 
     /// Whenever it happens: either what the undisturbed recording gives, or exit code 3.
@@ -93,6 +99,7 @@ private slots:
     {
         QFETCH(QStringList, verb);
         QFETCH(QString, change);
+        QFETCH(int, moments);
         QElapsedTimer timer;
         timer.start();
         const int sound = answerWithChange(verb, "true", 0).exitCode;
@@ -102,10 +109,10 @@ private slots:
             QVERIFY(QFile::remove(path("new.h5")));
         const auto before = kept("out");
         int caught = 0;
-        for (int step = 0; step < kSteps; ++step) {
+        for (int step = 0; step < moments; ++step) {
             QFile::remove(path("used.h5"));
             QVERIFY(QFile::copy(path("kept.h5"), path("used.h5")));
-            const Answer answer = answerWithChange(verb, change, step * whole_ms / kSteps);
+            const Answer answer = answerWithChange(verb, change, step * whole_ms / moments);
             if (answer.exitCode == sound) {
                 QFile::remove(path("new.h5"));
                 continue;

@@ -5,6 +5,8 @@
 
 #include <QStringList>
 
+#include <algorithm>
+
 namespace dyncal {
 
 namespace {
@@ -16,14 +18,35 @@ int widthOf(const QFontMetrics &metrics, const QString &text)
     return metrics.size(Qt::TextShowMnemonic, text).width();
 }
 
+/// How many letters of a word too long fit with a hyphen, 4 at least; few of them are measured, as a
+/// word may have thousands.
+qsizetype fittingLength(const QFontMetrics &metrics, const QString &word, int width_px)
+{
+    const qsizetype most = word.size() - kLeastPart;
+    const auto fits = [&](qsizetype length) {
+        return widthOf(metrics, word.left(length) + QChar('-')) <= width_px;
+    };
+    qsizetype beyond = kLeastPart + 1;
+    while (beyond <= most && fits(beyond))
+        beyond *= 2;
+    qsizetype length = std::max(kLeastPart, beyond / 2);
+    beyond = std::min(beyond, most + 1);
+    while (beyond - length > 1) {
+        const qsizetype middle = (length + beyond) / 2;
+        (fits(middle) ? length : beyond) = middle;
+    }
+    return length;
+}
+
 /// The parts of a word, each but the last with its hyphen.
 QStringList partsOf(const QFontMetrics &metrics, QString word, int width_px)
 {
     QStringList parts;
-    while (word.size() >= 2 * kLeastPart && widthOf(metrics, word) > width_px) {
-        qsizetype length = word.size() - kLeastPart;
-        while (length > kLeastPart && widthOf(metrics, word.left(length) + QChar('-')) > width_px)
-            --length;
+    while (word.size() >= 2 * kLeastPart) {
+        const qsizetype length = fittingLength(metrics, word, width_px);
+        const bool mayFit = word.size() <= 2 * (length + kLeastPart);
+        if (mayFit && widthOf(metrics, word) <= width_px)
+            break;
         parts += word.left(length) + QChar('-');
         word.remove(0, length);
     }
