@@ -18,8 +18,8 @@ int widthOf(const QFontMetrics &metrics, const QString &text)
     return metrics.size(Qt::TextShowMnemonic, text).width();
 }
 
-/// How many letters of a word too long fit with a hyphen, 4 at least; few of them are measured, as a
-/// word may have thousands.
+/// How many letters of a word too long fit with a hyphen, 4 at least; few of them are measured, as
+/// a word may have thousands.
 qsizetype fittingLength(const QFontMetrics &metrics, const QString &word, int width_px)
 {
     const qsizetype most = word.size() - kLeastPart;
