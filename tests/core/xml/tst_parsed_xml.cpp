@@ -3,7 +3,7 @@
 
 // An XML document as values, and what is refused before anything is made of it.
 
-#include "core/dcc_reading/parsed_xml.h"
+#include "core/xml/parsed_xml.h"
 #include "tests/support/test_program.h"
 
 #include <QTest>
@@ -47,7 +47,9 @@ private slots:
         QCOMPARE(root->attribute("id"), std::string("x"));
         QCOMPARE(root->attribute("none"), std::string());
         QCOMPARE(root->all("b").size(), std::size_t(2));
-        QCOMPARE(root->child("b")->text, std::string("1 2\n 3")); // around the comment
+        QCOMPARE(root->child("b")->text, std::string("1 2\n 3 "));
+        QCOMPARE(root->child("b")->trimmedText(), std::string("1 2\n 3"));
+        QCOMPARE(root->textAt({"b"}), std::string("1 2\n 3")); // around the comment
         QCOMPARE(root->child("b")->line, Index(3));
         QCOMPARE(root->all("b")[1]->line, Index(4));
     }
@@ -98,15 +100,41 @@ private slots:
                 text += "</a>";
             return text;
         };
-        QVERIFY(faultOf(nested(kDeepestXml - 1)).empty());
-        QVERIFY(faultOf(nested(kDeepestXml + 2)).find("nested") != std::string::npos);
+        QVERIFY(faultOf(nested(kDeepestXml)).empty());
+        QVERIFY(faultOf(nested(kDeepestXml + 1)).find("nested") != std::string::npos);
         QVERIFY(faultOf(nested(400000)).find("nested") != std::string::npos);
         std::string many = "<a>";
-        for (std::size_t i = 0; i <= 2 * kMostXmlElements; ++i)
+        for (std::size_t i = 0; i + 1 < kMostXmlElements; ++i)
+            many += "<b/>";
+        QVERIFY(faultOf(many + "</a>").empty());
+        for (std::size_t i = 0; i <= kMostXmlElements; ++i)
             many += "<b/>";
         QVERIFY(faultOf(many + "</a>").find("tags") != std::string::npos);
         QVERIFY(faultOf("<a>" + std::string(kMostXmlBytes, ' ') + "</a>").find("bytes")
             != std::string::npos);
+        const std::size_t left = kMostXmlBytes - std::string_view("<a></a>").size();
+        QCOMPARE(readXml("<a>" + std::string(left, 'x') + "</a>")->text.size(), left);
+    }
+
+    void blanksAlone_areNoText()
+    {
+        const auto root = readXml("<a> \n <b>\t</b> <!-- c -->\r\n</a>");
+        QCOMPARE(root->text, std::string());
+        QCOMPARE(root->child("b")->text, std::string());
+        QCOMPARE(root->child("b")->trimmedText(), std::string());
+    }
+
+    void wordsIn_areBetweenBlanks()
+    {
+        using Words = std::vector<std::string>;
+        QCOMPARE(wordsIn(""), Words());
+        QCOMPARE(wordsIn(" \t\r\n"), Words());
+        QCOMPARE(wordsIn("a"), Words{"a"});
+        QCOMPARE(wordsIn("\n a\tb\r\nc  "), (Words{"a", "b", "c"}));
+        QCOMPARE(wordsIn("a\xC2\xA0"
+                         "b"),
+            (Words{"a\xC2\xA0"
+                   "b"}));
     }
 };
 
