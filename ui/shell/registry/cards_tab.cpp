@@ -41,8 +41,9 @@ const std::array<CardKind, 4> &cardKinds()
 {
     static const std::array<CardKind, 4> kinds{{
         {"laboratory", QT_TRANSLATE_NOOP("dyncal::CardsTab", "Laboratories"),
-            {"laboratory_address", "place"}},
-        {"customer", QT_TRANSLATE_NOOP("dyncal::CardsTab", "Customers"), {"customer_address"}},
+            {"laboratory_address", "laboratory_country", "place"}},
+        {"customer", QT_TRANSLATE_NOOP("dyncal::CardsTab", "Customers"),
+            {"customer_address", "customer_country"}},
         {"sensor", QT_TRANSLATE_NOOP("dyncal::CardsTab", "Sensors"),
             {"sensor_serial", "sensor_manufacturer", "sensor_model", "sensor_description"}},
         {"reference", QT_TRANSLATE_NOOP("dyncal::CardsTab", "Reference instruments"),
