@@ -4,15 +4,14 @@
 // The DCC of runs and issued certificates, by the built program: valid for xmllint, by our own
 // rules, and with every number of PDF and results.json for a script of its own (python3-lxml).
 
-#include "tests/support/python_answer.h"
 #include "tests/support/test_program.h"
+#include "tests/system/dcc_numbers.h"
 #include "tests/system/issued_job.h"
 
 #include <QtTest>
 
 using dyncal::testing::answerOf;
 using dyncal::testing::python;
-using dyncal::testing::PythonAnswer;
 
 namespace {
 
@@ -46,14 +45,6 @@ QByteArray faultsOf(const QString &folder)
         if (finding["rule"] != "country") // nobody has typed one
             return own.out + own.err;
     return own.exitCode == 0 || own.exitCode == 2 ? QByteArray() : own.out + own.err;
-}
-
-/// "" where every number is there.
-QByteArray missingNumbers(const QString &folder, const QString &language)
-{
-    const PythonAnswer answer
-        = python({sourcePath("/tests/audit/dcc_numbers.py"), folder, language});
-    return answer.ran ? QByteArray() : answer.out + answer.err;
 }
 
 } // namespace
@@ -127,7 +118,7 @@ private slots:
         QVERIFY2(answer.exitCode <= 1, answer.err);
         QVERIFY2(faultsOf(path(name)).isEmpty(), faultsOf(path(name)));
         if (languages.size() == 1) // side by side the pages are no table of lines any more
-            QCOMPARE(missingNumbers(path(name), languages.front()), QByteArray());
+            QCOMPARE(missingDccNumbers(path(name), languages.front()), QByteArray());
     }
 
     /// Comparisons by table, model and chain, CMC, each decision rule, free decay; no step at all.
@@ -151,7 +142,7 @@ private slots:
         }
         QVERIFY2(answer.exitCode <= 1, answer.err);
         QVERIFY2(faultsOf(path(name)).isEmpty(), faultsOf(path(name)));
-        QCOMPARE(missingNumbers(path(name), "en"), QByteArray());
+        QCOMPARE(missingDccNumbers(path(name)), QByteArray());
     }
 
     void withoutShockData_isValid()
@@ -160,7 +151,7 @@ private slots:
             {"--recipe", recipe("unknown", {{"shock", QJsonObject{{"enabled", false}}}})});
         QVERIFY2(answer.exitCode <= 1, answer.err);
         QVERIFY2(faultsOf(path("unknown")).isEmpty(), faultsOf(path("unknown")));
-        QCOMPARE(missingNumbers(path("unknown"), "en"), QByteArray());
+        QCOMPARE(missingDccNumbers(path("unknown")), QByteArray());
     }
 
     void oneToTenShots_areValid_data()
@@ -183,7 +174,7 @@ private slots:
             0);
         QVERIFY(run(name + ".h5", name).exitCode <= 1);
         QVERIFY2(faultsOf(path(name)).isEmpty(), faultsOf(path(name)));
-        QCOMPARE(missingNumbers(path(name), "en"), QByteArray());
+        QCOMPARE(missingDccNumbers(path(name)), QByteArray());
     }
 
     void runTwice_givesTheSameBytes()
@@ -216,7 +207,7 @@ private slots:
         QFile file(path("first/dcc.xml"));
         QVERIFY(file.open(QIODevice::WriteOnly) && file.write(xml) == xml.size());
         file.close();
-        QVERIFY(!missingNumbers(path("first"), "en").isEmpty());
+        QVERIFY(!missingDccNumbers(path("first")).isEmpty());
         QVERIFY(file.open(QIODevice::WriteOnly) && file.write(whole) == whole.size());
     }
 
@@ -229,7 +220,7 @@ private slots:
             QCOMPARE(job.issue().exitCode, 0);
             const QString folder = job.output() + "/1";
             QVERIFY2(faultsOf(folder).isEmpty(), faultsOf(folder));
-            QCOMPARE(missingNumbers(folder, "en"), QByteArray());
+            QCOMPARE(missingDccNumbers(folder), QByteArray());
             const QByteArray xml = fileBytes(folder + "/dcc.xml");
             QVERIFY(xml.contains("<dcc:uniqueIdentifier>1</dcc:uniqueIdentifier>"));
             const QJsonDocument manifest
@@ -241,6 +232,34 @@ private slots:
             first = xml;
             QCOMPARE(job.verify({folder}).exitCode, 1); // not signed
         }
+    }
+
+    /// A country that nobody has typed is said, and is no obstacle.
+    void issued_saysWhichCountryIsMissing()
+    {
+        const IssuedJob job;
+        QVERIFY(job.begin(path("shot.h5")));
+        const Answer without = job.issue({"--json"});
+        QCOMPARE(without.exitCode, 0);
+        QVERIFY2(without.err.contains("CER-010"), without.err);
+        const QJsonArray said = QJsonDocument::fromJson(without.out)["findings"].toArray();
+        QCOMPARE(said.size(), 2);
+        QCOMPARE(said[0]["id"].toString(), QString("CER-010"));
+        QCOMPARE(said[0]["severity"].toString(), QString("caution"));
+        QJsonObject recipe = completeRecipe();
+        QJsonObject fields = completeFields();
+        fields["laboratory_country"] = "SE";
+        fields["customer_address"] = "2 Test Street, NO-0010 Oslo";
+        recipe["certificate"] = QJsonObject{{"fields", fields}};
+        const IssuedJob stated;
+        QVERIFY(stated.begin(path("shot.h5"), recipe));
+        const Answer with = stated.issue();
+        QCOMPARE(with.exitCode, 0);
+        QVERIFY2(!with.err.contains("CER-010"), with.err);
+        const QByteArray xml = fileBytes(stated.output() + "/1/dcc.xml");
+        QVERIFY(xml.contains("<dcc:countryCodeISO3166_1>SE<"));
+        QVERIFY(xml.contains("<dcc:countryCode>NO<"));
+        QCOMPARE(runDyncal({"dcc", "check", stated.output() + "/1/dcc.xml"}).exitCode, 0);
     }
 
     void check_answersAsTheOtherCommands()
