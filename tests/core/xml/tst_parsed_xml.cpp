@@ -116,6 +116,57 @@ private slots:
         QCOMPARE(readXml("<a>" + std::string(left, 'x') + "</a>")->text.size(), left);
     }
 
+    /// A transfer may end anywhere: what is left is refused, or is no other document.
+    void cutAnywhere_isRefused()
+    {
+        const std::string whole = "<?xml version=\"1.0\"?>\n<p:a b='c'>1 &lt; <d/>\xC3\xA5</p:a>";
+        for (std::size_t size = 0; size < whole.size(); ++size)
+            QVERIFY2(!readXml(whole.substr(0, size)), std::to_string(size).c_str());
+        QCOMPARE(readXml(whole)->text, std::string("1 < \xC3\xA5"));
+    }
+
+    /// Each byte replaced by each of those that mean something: read or refused, and nothing else.
+    void anyByteChanged_isReadOrRefused()
+    {
+        const std::string whole = "<?xml version=\"1.0\"?><p:a b='c'>1&amp;<d/><!-- e --></p:a>";
+        int read = 0, refused = 0;
+        for (std::size_t at = 0; at < whole.size(); ++at)
+            for (const char byte : {'<', '>', '&', '!', '?', '/', '\'', ' ', '\xFF', '\0'}) {
+                std::string mutant = whole;
+                mutant[at] = byte;
+                const Result<ParsedElement> root = readXml(mutant);
+                ++(root ? read : refused);
+                QVERIFY(root || root.error().kind == ErrorKind::FileUnreadable);
+            }
+        QVERIFY2(read > 50 && refused > 200, std::to_string(read).c_str());
+    }
+
+    void attributes_areWithoutPrefix_theFirstOfANameCounts()
+    {
+        const auto root = readXml("<a x:b='1' b='2' c='&#65;&amp;'/>");
+        QCOMPARE(root->attributes.size(), std::size_t(3));
+        QCOMPARE(root->attribute("b"), std::string("1"));
+        QCOMPARE(root->attribute("c"), std::string("A&"));
+        QCOMPARE(root->attribute("x:b"), std::string());
+    }
+
+    void textInParts_isOne()
+    {
+        const auto root = readXml("<a> 1<b>9</b><![CDATA[<2>]]><?p q?>3 </a>");
+        QCOMPARE(root->text, std::string(" 1<2>3 "));
+        QCOMPARE(root->trimmedText(), std::string("1<2>3"));
+        QCOMPARE(root->child("b")->text, std::string("9"));
+        QVERIFY(!root->child("c") && root->all("c").empty());
+    }
+
+    void emptyPath_isTheElementItself()
+    {
+        const auto root = readXml("<a> 7 <b/></a>");
+        QCOMPARE(root->at({}), &*root);
+        QCOMPARE(root->textAt({}), std::string("7"));
+        QCOMPARE(root->at({"b"}), root->child("b"));
+    }
+
     void blanksAlone_areNoText()
     {
         const auto root = readXml("<a> \n <b>\t</b> <!-- c -->\r\n</a>");
