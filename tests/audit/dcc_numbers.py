@@ -33,7 +33,8 @@ RESULT_OF = {"dyncal_responseBudget": "response", "dyncal_responseBudgetAtMarks"
              "dyncal_comparisonBudget": "comparison", "dyncal_comparisonBudgetAtMarks": "comparison.marked"}
 # A row of the earlier calibrations: day, number, value, U, E_n.
 HISTORY = re.compile(rf"^(\d{{4}}-\d\d-\d\d)\s+(\d+|\u2013)\s+{NUMBER}{UNIT_OF}\s{{2,}}{NUMBER}{UNIT_OF}"
-                     rf"(?: \(k = [\d.]+\))?\s{{2,}}(\d+(?:\.\d+)?|\u2013)")
+                     rf"(?: \(k = [\d.]+\))?\s{{2,}}(-?\d+(?:\.\d+)?|\u2013)")
+SCALE = re.compile(r"^\s*-?\d+(?:\.\d+)?(?:\s+-?\d+(?:\.\d+)?)*\s*$")
 PAGE = re.compile(r"\b\d+ (?:of|av|von) \d+\s*$|\(\d+\)\s*$")
 TOKEN = re.compile(r"(?<![\w.])-?\d+(?:\.\d+)?(?![\w]|\.\d)")
 
@@ -110,12 +111,17 @@ def check_rows(text, root, errors):
 
 
 def check_words(text, root, language, errors):
-    """Every number is a number of the DCC, or a word of one of its texts; but for those of the pages."""
+    """Every number is a number of the DCC, or a word of one of its texts; but for those of the pages and the scales of
+    the figures of earlier calibrations."""
     said = [as_core_writes(node.text or "", language) for node in root.iter(DCC + "content")]
     said += [(node.text or "").replace("E", " E") for node in root.iter() if node.tag != DCC + "content"]
     words = set(TOKEN.findall(" ".join(said)))
     found = 0
+    title, with_figures = words_of(language).get("Earlier calibrations", "Earlier calibrations"), False
     for line in text.splitlines():
+        with_figures = with_figures or line.strip() == title
+        if with_figures and SCALE.match(line):
+            continue
         for token in TOKEN.findall(PAGE.sub("", line)):
             found += 1
             if token not in words:
