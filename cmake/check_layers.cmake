@@ -7,7 +7,7 @@
 set(errors "")
 
 # A file includes only files of its own room and of rooms before it in its layer's list.
-set(rooms_of_core base base/writing signing pdf capture
+set(rooms_of_core base base/writing xml signing pdf capture
     capture/formats/bytes capture/formats/text capture/formats/lvm capture/formats/tdms
     capture/formats/hdf5 capture/formats/foreign capture/formats/matlab
     capture/formats/instruments capture/formats/preview capture/opening

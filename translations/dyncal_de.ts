@@ -4128,5 +4128,25 @@
         <source>issued as an amendment, with an electronic signature in this file</source>
         <translation>ausgestellt als Änderung, mit elektronischer Signatur in dieser Datei</translation>
     </message>
+    <message>
+        <source>Sensitivity coefficient</source>
+        <translation>Empfindlichkeitskoeffizient</translation>
+    </message>
+    <message>
+        <source>%1, shot %2</source>
+        <translation>%1, Schuss %2</translation>
+    </message>
+    <message>
+        <source>The budgets of the single frequencies are left out, because there are more than %1.</source>
+        <translation>Die Budgets der einzelnen Frequenzen sind weggelassen, weil es mehr als %1 sind.</translation>
+    </message>
+    <message>
+        <source>Budgets of the frequency response</source>
+        <translation>Messunsicherheitsbudgets des Frequenzgangs</translation>
+    </message>
+    <message>
+        <source>Budgets of the frequency response against the reference transducer</source>
+        <translation>Messunsicherheitsbudgets des Frequenzgangs gegen den Referenzaufnehmer</translation>
+    </message>
 </context>
 </TS>

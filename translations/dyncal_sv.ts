@@ -9382,10 +9382,6 @@ steget</translation>
         <translation>%1 värden av S(f), från %2 till %3, ligger utanför de frekvenser som laboratoriet anger en mätförmåga (CMC) för; beviset märker dem som utanför omfattningen.</translation>
     </message>
     <message>
-        <source>%V1 cannot be read, or is empty; give a digital calibration certificate.</source>
-        <translation>%V1 kan inte läsas eller är tom; ange ett digitalt kalibreringscertifikat.</translation>
-    </message>
-    <message>
         <source>Pressure sensor</source>
         <translation>Tryckgivare</translation>
     </message>
@@ -9590,24 +9586,8 @@ steget</translation>
         <translation>Sannolikhet att ligga utanför gränsen</translation>
     </message>
     <message>
-        <source>The file is larger than 64 MiB, which no digital calibration certificate is; give another file.</source>
-        <translation>Filen är större än 64 MiB, vilket inget digitalt kalibreringscertifikat är; ange en annan fil.</translation>
-    </message>
-    <message>
-        <source>The file has a document type or entities of its own, which a digital calibration certificate does not need and which are never read; ask for one without.</source>
-        <translation>Filen har en dokumenttyp eller egna entiteter, som ett digitalt kalibreringscertifikat inte behöver och som aldrig läses; be om ett utan.</translation>
-    </message>
-    <message>
-        <source>The file is no well-formed XML (%1, at byte %2); give a digital calibration certificate.</source>
-        <translation>Filen är inte välformad XML (%1, vid byte %2); ange ett digitalt kalibreringscertifikat.</translation>
-    </message>
-    <message>
         <source>The file is no digital calibration certificate: its first element is another; give a DCC of version 3.</source>
         <translation>Filen är inget digitalt kalibreringscertifikat: dess första element är ett annat; ange ett DCC av version 3.</translation>
-    </message>
-    <message>
-        <source>The file is nested deeper than 100 elements, which no digital calibration certificate is; give another file.</source>
-        <translation>Filen är nästlad djupare än 100 element, vilket inget digitalt kalibreringscertifikat är; ange en annan fil.</translation>
     </message>
     <message>
         <source>The certificate states no serial number of its item, or not which of its numbers that is.</source>
@@ -10088,6 +10068,34 @@ steget</translation>
     <message>
         <source>The URI of the token holds a PIN, which others could read in the list of processes; leave it out and give the PIN by --pin-fd N, or in its field of the window.</source>
         <translation>Tokenens URI innehåller en PIN, som andra kunde läsa i listan över processer; utelämna den och ge PIN med --pin-fd N eller i dess fält i fönstret.</translation>
+    </message>
+    <message>
+        <source>Sensitivity coefficient</source>
+        <translation>Känslighetskoefficient</translation>
+    </message>
+    <message>
+        <source>The DCC names no country of the laboratory (it has ZZ): neither laboratory_country is a code of ISO 3166-1, as SE, nor does the address have one; type it into the fields of the certificate or into the laboratory&apos;s card.</source>
+        <translation>DCC anger inget land för laboratoriet (där står ZZ): varken laboratory_country är en kod enligt ISO 3166-1, som SE, eller har adressen en; skriv den i bevisets fält eller på laboratoriets kort.</translation>
+    </message>
+    <message>
+        <source>The DCC names no country of the customer (it has ZZ): neither customer_country is a code of ISO 3166-1, as SE, nor does the address have one; type it into the fields of the certificate or into the customer&apos;s card.</source>
+        <translation>DCC anger inget land för kunden (där står ZZ): varken customer_country är en kod enligt ISO 3166-1, som SE, eller har adressen en; skriv den i bevisets fält eller på kundens kort.</translation>
+    </message>
+    <message>
+        <source>%1, shot %2</source>
+        <translation>%1, skott %2</translation>
+    </message>
+    <message>
+        <source>The budgets of the single frequencies are left out, because there are more than %1.</source>
+        <translation>De enskilda frekvensernas budgetar är utelämnade, eftersom de är fler än %1.</translation>
+    </message>
+    <message>
+        <source>Budgets of the frequency response</source>
+        <translation>Frekvenssvarets osäkerhetsbudgetar</translation>
+    </message>
+    <message>
+        <source>Budgets of the frequency response against the reference transducer</source>
+        <translation>Osäkerhetsbudgetar för frekvenssvaret mot referensgivaren</translation>
     </message>
 </context>
 <context>

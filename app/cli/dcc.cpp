@@ -7,10 +7,9 @@
 #include "core/base/foreign_text.h"
 #include "core/base/json_text.h"
 #include "core/dcc/dcc_check.h"
+#include "core/xml/xml_file.h"
 
-#include <fstream>
 #include <iostream>
-#include <iterator>
 #include <memory>
 
 namespace dyncal {
@@ -22,22 +21,6 @@ struct DccOptions
     std::string schemas;
     bool json = false;
 };
-
-Result<std::string> contentOf(const std::string &file)
-{
-    constexpr std::size_t kMost = (std::size_t(64) << 20U) + 1; // more than checkDcc() takes
-    std::ifstream in(file, std::ios::binary);
-    std::string content;
-    char byte = 0;
-    while (content.size() < kMost && in.get(byte))
-        content.push_back(byte);
-    if (!content.empty())
-        return content;
-    return fail(ErrorKind::FileUnreadable,
-        {DYNCAL_TEXT(
-             "core", "%V1 cannot be read, or is empty; give a digital calibration certificate."),
-            {file}});
-}
 
 nlohmann::json jsonOf(const DccOptions &options, const DccCheck &check)
 {
@@ -65,7 +48,7 @@ void print(const DccOptions &options, const DccCheck &check)
 
 int checkFile(const DccOptions &options)
 {
-    const Result<std::string> xml = contentOf(options.file);
+    const Result<std::string> xml = xmlFileBytes(options.file);
     if (!xml)
         return report(xml.error());
     const Result<DccCheck> check = checkDcc(*xml, options.schemas);

@@ -15,6 +15,7 @@
 
 #include "core/base/foreign_text.h"
 #include "core/base/json_text.h"
+#include "core/dcc/dcc_country.h"
 #include "core/issue/issue_obstacles.h"
 #include "core/project/template_choice.h"
 #include "registry/cards/card_filling.h"
@@ -72,9 +73,10 @@ int refuse(const Findings &obstacles, bool json)
     return static_cast<int>(ExitCode::Blocked);
 }
 
-int conclude(const IssuedCertificate &issued, bool json)
+int conclude(const IssuedCertificate &issued, const Findings &cautions, bool json)
 {
     const CertificateRecord &record = issued.record;
+    reportFindings(cautions);
     // As it stands in the files: the service that sealed it said nothing of its name.
     const std::string signer = checkFolderSignatures(issued.folder, {}).signer;
     if (json)
@@ -82,7 +84,7 @@ int conclude(const IssuedCertificate &issued, bool json)
             {"state", certificateStateName(record.state)}, {"head", record.head},
             {"files", record.files}, {"signed", issued.isSigned}, {"signer", textOrNull(signer)},
             {"time_stamp_authority", textOrNull(issued.authority)},
-            {"findings", nlohmann::json::array()}});
+            {"findings", findingsJson(cautions)}});
     else
         std::cout << "Certificate " << record.number << ", " << certificateStateName(record.state)
                   << (issued.isSigned ? ", signed by " + presentable(signer) : ", not signed")
@@ -115,9 +117,11 @@ Result<IssueAnswer> issueJob(ProjectState job, const IssueOptions &options)
         outcome, issuedRecipe(job.recipe, "1", options.order.names), options.order.names);
     if (!obstacles.empty())
         return IssueAnswer{{}, std::move(obstacles)};
-    return issueCertificate(job, outcome, *layout, options.order).map([](IssuedCertificate issued) {
-        return IssueAnswer{std::move(issued), {}};
-    });
+    Findings cautions = outcome.results.response ? countryCautions(job.recipe) : Findings();
+    return issueCertificate(job, outcome, *layout, options.order)
+        .map([&](IssuedCertificate issued) {
+            return IssueAnswer{std::move(issued), std::move(cautions)};
+        });
 }
 
 Result<void> checkPlanned(const IssueOrder &order)
@@ -160,8 +164,8 @@ int issueOne(const IssueOptions &options)
     const Result<IssueAnswer> answer = issueJob(std::move(*job), options);
     if (!answer)
         return report(answer.error());
-    return answer->issued ? conclude(*answer->issued, options.json)
-                          : refuse(answer->obstacles, options.json);
+    return answer->issued ? conclude(*answer->issued, answer->findings, options.json)
+                          : refuse(answer->findings, options.json);
 }
 
 int issue(IssueOptions options)

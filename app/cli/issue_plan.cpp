@@ -62,9 +62,9 @@ public:
         if (!answer)
             leave(sensor, english(answer.error().message), {});
         else if (!answer->issued)
-            leave(sensor, reasonOf(answer->obstacles), answer->obstacles);
+            leave(sensor, reasonOf(answer->findings), answer->findings);
         else
-            tell(sensor, *answer->issued);
+            tell(sensor, *answer->issued, answer->findings);
         return true;
     }
 
@@ -87,12 +87,14 @@ private:
         return more == 0 ? first : first + " (and " + std::to_string(more) + " more)";
     }
 
-    void tell(const PlannedSensor &sensor, const IssuedCertificate &issued)
+    void tell(
+        const PlannedSensor &sensor, const IssuedCertificate &issued, const Findings &cautions)
     {
         ++m_issued;
         m_answers.push_back({{"id", sensor.id}, {"number", issued.record.number},
             {"state", certificateStateName(issued.record.state)}, {"folder", issued.folder},
-            {"reason", nullptr}, {"findings", Json::array()}});
+            {"reason", nullptr}, {"findings", findingsJson(cautions)}});
+        reportFindings(cautions);
         if (!m_json)
             std::cout << presentable(sensor.id) << ": certificate " << issued.record.number << ", "
                       << presentable(issued.folder) << std::endl;

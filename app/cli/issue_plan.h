@@ -15,7 +15,7 @@ namespace dyncal {
 struct IssueAnswer
 {
     std::optional<IssuedCertificate> issued;
-    Findings obstacles;
+    Findings findings; ///< what keeps it a draft; beside a certificate its cautions
 };
 using IssueJob = std::function<Result<IssueAnswer>(ProjectState)>;
 

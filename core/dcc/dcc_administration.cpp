@@ -6,8 +6,8 @@
 #include "core/base/calendar_date.h"
 #include "core/base/version.h"
 #include "core/certificate/certificate_words.h"
+#include "core/dcc/dcc_country.h"
 #include "core/dcc/dcc_statements.h"
-#include "core/dcc/iso_codes.h"
 
 #include <array>
 #include <utility>
@@ -35,17 +35,6 @@ std::string day(const DccSource &source, const char *field)
     return typed.empty() ? source.certificate.createdUtc.substr(0, kDay) : typed;
 }
 
-/// Typed as a code, else as the address has it.
-std::string country(const DccSource &source, const std::string &whose)
-{
-    const auto &fields = source.recipe.certificate.fields;
-    const auto typed = fields.find(whose + "_country");
-    if (typed != fields.end() && isCountryCode(inOneLine(typed->second)))
-        return inOneLine(typed->second);
-    const auto address = fields.find(whose + "_address");
-    return address == fields.end() ? kNoCountry : countryOf(address->second);
-}
-
 /// The DCC has five words for a place; the place itself is a statement.
 std::string performanceLocation(const DccSource &source)
 {
@@ -71,7 +60,7 @@ XmlElement coreData(const DccSource &source)
     const auto add = [&](const char *name, std::string text) {
         core.add({std::string("dcc:").append(name), {}, std::move(text)});
     };
-    add("countryCodeISO3166_1", country(source, "laboratory"));
+    add("countryCodeISO3166_1", dccCountry(source.recipe, "laboratory"));
     for (const std::string &language : source.words.languages)
         add("usedLangCodeISO639_1", language);
     add("mandatoryLangCodeISO639_1", source.words.languages.front());
@@ -101,7 +90,7 @@ XmlElement contact(const DccSource &source, const char *element, const std::stri
     return {element, {}, {},
         {named(source, source.typed("administrative", whose)),
             {"dcc:location", {}, {},
-                {{"dcc:countryCode", {}, country(source, whose)},
+                {{"dcc:countryCode", {}, dccCountry(source.recipe, whose)},
                     source.words.element("dcc:further", {verbatim(orNotStated(address))})}}}};
 }
 

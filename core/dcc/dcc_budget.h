@@ -9,8 +9,8 @@
 
 namespace dyncal {
 
-/// The budgets of sensitivity and model as one dcc:result, a list for each quantity, and what Monte
-/// Carlo found of the same values as another. Those of single frequencies stand in results.json.
+/// The budgets of the reported values (reportedByKey()) as one dcc:result, a list for each. Those
+/// of single frequencies: dccRowBudgets().
 std::vector<XmlElement> dccBudgets(const DccSource &source);
 
 } // namespace dyncal

@@ -10,6 +10,8 @@
 #include "core/dcc/dcc_fields.h"
 #include "core/dcc/dcc_measurement.h"
 #include "core/dcc/dcc_ref_types.h"
+#include "core/dcc/dcc_reported.h"
+#include "core/dcc/dcc_row_budget.h"
 #include "core/dcc/dcc_sections.h"
 #include "core/dcc/dcc_statements.h"
 
@@ -71,10 +73,15 @@ XmlElement results(const DccSource &source)
     std::vector<XmlElement> exact = dccExactResults(source);
     if (std::ranges::any_of(exact, hasId))
         refer(list);
-    for (XmlElement &result : exact)
-        list.add(std::move(result));
-    for (XmlElement &result : dccBudgets(source))
-        list.add(std::move(result));
+    const auto addAll = [&list](std::vector<XmlElement> more) {
+        for (XmlElement &result : more)
+            list.add(std::move(result));
+    };
+    addAll(dccReportedValues(source));
+    addAll(std::move(exact));
+    addAll(dccBudgets(source));
+    addAll(dccRowBudgets(source));
+    addAll(dccDrawnValues(source));
     return list;
 }
 

@@ -10,6 +10,7 @@
 #include "core/dcc/si_unit.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <string_view>
 #include <utility>
@@ -19,87 +20,12 @@ namespace {
 
 using Texts = std::vector<std::string>;
 
-XmlElement resultOf(const DccSource &source, const char *refType, const Message &name)
-{
-    XmlElement result = withRefType("dcc:result", refType);
-    result.add(source.words.element("dcc:name", {name}));
-    return result;
-}
-
-void addColumn(const DccSource &source, const DccColumn &column, XmlElement &list)
-{
-    for (XmlElement &quantity : dccColumn(source.words, column))
-        list.add(std::move(quantity));
-}
-
-/// Every reported value, that of single shots too, by its key in results.json.
-std::vector<std::pair<std::string, const ReportedValue *>> reportedOf(
-    const UncertaintyReport &report)
-{
-    std::vector<std::pair<std::string, const ReportedValue *>> all;
-    const auto place
-        = [](std::size_t i) { return std::string("[").append(std::to_string(i)).append("]"); };
-    if (report.sensitivity)
-        all.emplace_back("sensitivity", &*report.sensitivity);
-    for (std::size_t i = 0; i < report.perLevel.size(); ++i)
-        all.emplace_back("sensitivity.per_level" + place(i), &report.perLevel[i]);
-    for (std::size_t i = 0; i < report.ofShots.size(); ++i)
-        all.emplace_back("shots" + place(i) + ".sensitivity", &report.ofShots[i]);
-    for (const ReportedValue &value : report.ofModel)
-        all.emplace_back(value.of, &value);
-    return all;
-}
-
-std::vector<XmlElement> reportedValues(const DccSource &source)
-{
-    const UncertaintyReport *report = source.results.uncertainty.get();
-    DccColumn names{{DYNCAL_TEXT("core", "Key in results.json"), {}}, "dyncal_reportedName"};
-    DccColumn values{{DYNCAL_TEXT("core", "Value"), {}}, "dyncal_reportedValue"};
-    DccColumn factors{{DYNCAL_TEXT("core", "k"), {}}, "dyncal_coverageFactor"};
-    DccColumn dofs{
-        {DYNCAL_TEXT("core", "Effective degrees of freedom"), {}}, "dyncal_degreesOfFreedom"};
-    for (const auto &[name, value] :
-        report ? reportedOf(*report) : decltype(reportedOf(*report))()) {
-        const auto unit = dsiUnitOf(value->unit);
-        if (!unit || !value->u || !std::isfinite(value->value))
-            continue;
-        names.words.push_back(verbatim(name));
-        values.values.push_back(dccNumber(value->value));
-        values.units.push_back(*unit);
-        values.standard.push_back(dccNumber(*value->u));
-        factors.values.push_back(dccNumber(value->k));
-        dofs.values.push_back(dccNumber(value->dof));
-    }
-    if (values.values.empty())
-        return {};
-    factors.units = dofs.units = Texts(values.values.size(), "\\one");
-    XmlElement list{"dcc:list"};
-    for (const DccColumn &column : {names, values, factors, dofs})
-        addColumn(source, column, list);
-    XmlElement result = resultOf(
-        source, "dyncal_reportedValues", {DYNCAL_TEXT("core", "Reported values, not rounded"), {}});
-    result.add({"dcc:data", {}, {}, {std::move(list)}});
-    return {std::move(result)};
-}
-
 Texts textsOf(const Eigen::VectorXd &values, Index count)
 {
     Texts texts;
     for (Index i = 0; i < count; ++i)
         texts.push_back(dccNumber(valueAt(values, i)));
     return texts;
-}
-
-DccColumn numbers(
-    Message name, const char *refType, Texts values, const std::string &unit, Texts standard = {})
-{
-    DccColumn column{std::move(name), refType};
-    column.units.assign(values.size(), unit);
-    column.values = std::move(values);
-    const bool isKnown
-        = std::ranges::any_of(standard, [](const std::string &u) { return u != kDccNone; });
-    column.standard = isKnown ? std::move(standard) : Texts();
-    return column;
 }
 
 /// Regions row by row, each part as a text.
@@ -160,38 +86,48 @@ XmlElement complexValues(
     return quantity;
 }
 
+/// Numbers over frequency, with their u where they have one.
+struct RowColumn
+{
+    const char *name, *refType;
+    const Eigen::VectorXd *values;
+    std::string unit;
+    const Eigen::VectorXd *standard = nullptr;
+};
+
+DccColumn columnOfRows(const RowColumn &rows, Index count)
+{
+    DccColumn column{{rows.name, {}}, rows.refType, textsOf(*rows.values, count)};
+    column.units.assign(column.values.size(), rows.unit);
+    Texts standard = rows.standard ? textsOf(*rows.standard, count) : Texts();
+    const bool isKnown
+        = std::ranges::any_of(standard, [](const std::string &u) { return u != kDccNone; });
+    column.standard = isKnown ? std::move(standard) : Texts();
+    return column;
+}
+
 XmlElement responseList(const DccSource &source, const ResponseResult &response,
     const RowUncertainty &rows, const std::string &unit)
 {
+    const RowColumn frequency{DYNCAL_TEXT("core", "Frequency"),
+        "basic_tableIndex0 dyncal_frequency", &response.frequency_Hz, "\\hertz"};
+    const std::array others{
+        RowColumn{DYNCAL_TEXT("core", "Magnitude"), "basic_measuredValue dyncal_magnitude",
+            &response.magnitude, unit, &rows.u_magnitude},
+        RowColumn{DYNCAL_TEXT("core", "Phase"), "basic_measuredValue dyncal_phase",
+            &response.phase_rad, "\\radian", &rows.u_phase_rad},
+        RowColumn{DYNCAL_TEXT("core", "Effective degrees of freedom"), "dyncal_degreesOfFreedom",
+            &rows.dof_magnitude, "\\one"},
+        RowColumn{DYNCAL_TEXT("core", "Model, magnitude"), "dyncal_modelMagnitude",
+            &response.modelMagnitude, unit, &rows.u_modelMagnitude},
+        RowColumn{DYNCAL_TEXT("core", "Model, phase"), "dyncal_modelPhase",
+            &response.modelPhase_rad, "\\radian", &rows.u_modelPhase_rad}};
     const Index count = response.frequency_Hz.size();
-    const RegionTexts regions = regionsOf(response, rows);
     XmlElement list{"dcc:list"};
-    addColumn(source,
-        numbers({DYNCAL_TEXT("core", "Frequency"), {}}, "basic_tableIndex0 dyncal_frequency",
-            textsOf(response.frequency_Hz, count), "\\hertz"),
-        list);
-    list.add(complexValues(source, regions, unit));
-    addColumn(source,
-        numbers({DYNCAL_TEXT("core", "Magnitude"), {}}, "basic_measuredValue dyncal_magnitude",
-            textsOf(response.magnitude, count), unit, textsOf(rows.u_magnitude, count)),
-        list);
-    addColumn(source,
-        numbers({DYNCAL_TEXT("core", "Phase"), {}}, "basic_measuredValue dyncal_phase",
-            textsOf(response.phase_rad, count), "\\radian", textsOf(rows.u_phase_rad, count)),
-        list);
-    addColumn(source,
-        numbers({DYNCAL_TEXT("core", "Effective degrees of freedom"), {}},
-            "dyncal_degreesOfFreedom", textsOf(rows.dof_magnitude, count), "\\one"),
-        list);
-    addColumn(source,
-        numbers({DYNCAL_TEXT("core", "Model, magnitude"), {}}, "dyncal_modelMagnitude",
-            textsOf(response.modelMagnitude, count), unit, textsOf(rows.u_modelMagnitude, count)),
-        list);
-    addColumn(source,
-        numbers({DYNCAL_TEXT("core", "Model, phase"), {}}, "dyncal_modelPhase",
-            textsOf(response.modelPhase_rad, count), "\\radian",
-            textsOf(rows.u_modelPhase_rad, count)),
-        list);
+    addDccColumn(source.words, columnOfRows(frequency, count), list);
+    list.add(complexValues(source, regionsOf(response, rows), unit));
+    for (const RowColumn &column : others)
+        addDccColumn(source.words, columnOfRows(column, count), list);
     return list;
 }
 
@@ -202,7 +138,7 @@ void addResponse(const DccSource &source, const char *refType, const Message &na
     const auto unit = dsiUnitOf(response ? response->unit : std::string());
     if (!response || !unit || response->frequency_Hz.size() == 0 || response->magnitude.size() == 0)
         return;
-    XmlElement result = resultOf(source, refType, name);
+    XmlElement result = dccResult(source.words, name, refType);
     const auto withheld = std::ranges::count_if(
         response->withheld, [](WithheldReason reason) { return reason != WithheldReason::None; });
     if (withheld > 0)
@@ -231,30 +167,26 @@ void addResponses(const DccSource &source, std::vector<XmlElement> &results)
         response ? response->atMarks.get() : nullptr, report.rowsAtMarks, results);
 }
 
-/// Of a comparison beside the response by the step; against a transducer it is the response itself.
 void addComparison(const DccSource &source, std::vector<XmlElement> &results)
 {
-    const auto &comparison = source.results.comparison;
-    const bool isBeside = comparison && comparison->byTransducer && source.results.response
-        && !source.results.response->isByTransducer;
-    if (!isBeside)
+    const UncertainResponse *found = source.comparisonBeside();
+    if (!found)
         return;
-    const UncertainResponse &found = *comparison->byTransducer;
     addResponse(source, "dyncal_comparisonResponse",
         {DYNCAL_TEXT("core", "Frequency response against the reference transducer, not rounded"),
             {}},
-        &found.response, found.report.rows, results);
+        &found->response, found->report.rows, results);
     addResponse(source, "dyncal_comparisonResponseAtMarks",
         {DYNCAL_TEXT("core", "The same at the limits of the band, its edges and the resonance"),
             {}},
-        found.response.atMarks.get(), found.report.rowsAtMarks, results);
+        found->response.atMarks.get(), found->report.rowsAtMarks, results);
 }
 
 } // namespace
 
 std::vector<XmlElement> dccExactResults(const DccSource &source)
 {
-    std::vector<XmlElement> results = reportedValues(source);
+    std::vector<XmlElement> results;
     addResponses(source, results);
     addComparison(source, results);
     return results;

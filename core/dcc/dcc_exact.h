@@ -12,9 +12,8 @@ namespace dyncal {
 /// The id of the list of the whole response, which the printed one refers to.
 inline constexpr const char *kDccResponse = "response";
 
-/// What results.json has beside the pages, not rounded, as dcc:result elements: the reported values
-/// with k and degrees of freedom, S(f) as complex numbers with their regions, and that of a
-/// comparison beside it.
+/// What results.json has beside the pages, not rounded, as dcc:result elements: S(f) as complex
+/// numbers with their regions, and that of a comparison beside it.
 std::vector<XmlElement> dccExactResults(const DccSource &source);
 
 } // namespace dyncal

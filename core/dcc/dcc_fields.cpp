@@ -127,6 +127,18 @@ constexpr std::array kFields{
     DccField{"known-values/This calibration", "dyncal_magnitude"},
     DccField{"known-values/En", "dyncal_normalisedError"},
     DccField{"known-values/Verdict", "dyncal_verdict"},
+    // Earlier calibrations: a table for each quantity, with the same columns.
+    DccField{"history", "dyncal_history"},
+    DccField{"history/f0_hz", "dyncal_historyOf dyncal_naturalFrequency"},
+    DccField{"history/damping_ratio", "dyncal_historyOf dyncal_dampingRatio"},
+    DccField{"history/sensitivity", "dyncal_historyOf dyncal_sensitivity"},
+    DccField{"history/magnitude", "dyncal_historyOf dyncal_magnitude"},
+    DccField{"history/phase_rad", "dyncal_historyOf dyncal_phase"},
+    DccField{"history/Date", "dyncal_dayOfCalibration"},
+    DccField{"history/Certificate", "dyncal_earlierCertificate"},
+    DccField{"history/Value", "dyncal_earlierValue"},
+    DccField{"history/En", "dyncal_normalisedError"},
+    DccField{"history/Control chart", "dyncal_controlState"},
     // Statements.
     DccField{"conformity.claim", "dyncal_conformityClaim"},
     DccField{"conformity.rule", "dyncal_conformityRule"},

@@ -78,11 +78,12 @@ XmlElement versions(const DccSource &source)
         numbers.values.push_back(std::to_string(version));
         numbers.units.push_back("\\one");
     }
-    XmlElement quantities{"dcc:usedMethodQuantities"};
-    for (const DccColumn &column : {stages, numbers})
-        for (XmlElement &quantity : dccColumn(source.words, column))
-            quantities.add(renamed("dcc:usedMethodQuantity", std::move(quantity)));
-    used.add(std::move(quantities));
+    XmlElement columns;
+    addDccColumn(source.words, stages, columns);
+    addDccColumn(source.words, numbers, columns);
+    XmlElement &quantities = used.add({"dcc:usedMethodQuantities"});
+    for (XmlElement &quantity : columns.children)
+        quantities.add(renamed("dcc:usedMethodQuantity", std::move(quantity)));
     return used;
 }
 

@@ -49,6 +49,8 @@ XmlElement standardOf(const DccColumn &column)
 XmlElement numbersOf(const DccWords &words, const DccColumn &column)
 {
     XmlElement quantity = quantityElement(words, column.name, column.refType);
+    if (*column.description.text != '\0')
+        quantity.add(words.element("dcc:description", {column.description}));
     XmlElement &list = quantity.add({"si:realListXMLList"});
     list.add({"si:valueXMLList", {}, dccList(column.values)});
     list.add({"si:unitXMLList", {}, dccList(column.units, true)});
@@ -67,6 +69,13 @@ XmlElement withRefType(std::string name, const std::string &refType)
     if (!refType.empty())
         element.attributes.emplace_back("refType", refType);
     return element;
+}
+
+XmlElement dccResult(const DccWords &words, const Message &name, const std::string &refType)
+{
+    XmlElement result = withRefType("dcc:result", refType);
+    result.add(words.element("dcc:name", {name}));
+    return result;
 }
 
 XmlElement dccQuantity(const DccWords &words, const Message &name, const std::string &refType,
@@ -97,15 +106,13 @@ XmlElement dccQuantityOf(
     return dccWordsQuantity(words, name, refType, {printed});
 }
 
-std::vector<XmlElement> dccColumn(const DccWords &words, const DccColumn &column)
+void addDccColumn(const DccWords &words, const DccColumn &column, XmlElement &list)
 {
-    std::vector<XmlElement> quantities;
     if (!column.values.empty())
-        quantities.push_back(numbersOf(words, column));
+        list.add(numbersOf(words, column));
     if (!column.words.empty())
-        quantities.push_back(dccWordsQuantity(words, column.name,
+        list.add(dccWordsQuantity(words, column.name,
             column.values.empty() ? column.refType : std::string(kDccRemarks), column.words));
-    return quantities;
 }
 
 std::string dccList(const std::vector<std::string> &texts, bool isOnce)

@@ -31,11 +31,15 @@ struct DccColumn
     std::vector<std::string> expanded = {}; ///< U of each value; empty: none has one
     std::vector<std::string> factors = {}; ///< k of each U
     std::vector<std::string> standard = {}; ///< u in place of U
+    Message description = {"", {}}; ///< of the values
     std::vector<Message> words = {}; ///< beside the values, or in place of them; one each
 };
 
 /// Attribute refType; none where it is empty.
 XmlElement withRefType(std::string name, const std::string &refType);
+
+/// A dcc:result with its name; description and data follow.
+XmlElement dccResult(const DccWords &words, const Message &name, const std::string &refType);
 
 /// si:real inside dcc:quantity; a k that is not stated is `factor`.
 XmlElement dccQuantity(const DccWords &words, const Message &name, const std::string &refType,
@@ -49,8 +53,8 @@ XmlElement dccWordsQuantity(const DccWords &words, const Message &name, const st
 XmlElement dccQuantityOf(
     const DccWords &words, const Message &name, const std::string &refType, const Message &printed);
 
-/// The quantities of a list that a column is: its values, and its words where it has any.
-std::vector<XmlElement> dccColumn(const DccWords &words, const DccColumn &column);
+/// Adds the quantities that a column is to a dcc:list: its values, and its words where it has any.
+void addDccColumn(const DccWords &words, const DccColumn &column, XmlElement &list);
 
 /// "1 2 3": what a DCC calls an XML list. A list of equal texts may stand once (`isOnce`).
 std::string dccList(const std::vector<std::string> &texts, bool isOnce = false);

@@ -77,10 +77,15 @@ void checkResults(const DccTree &tree, DccFindings &findings)
         std::pair{"influenceConditions",
             DYNCAL_TEXT(
                 "core", "Every measurement result states the conditions that influenced it.")}};
-    for (const DccNode &result : tree.all("measurementResult"))
-        for (const auto &[name, needed] : kNeeded)
-            if (!result.hasChild(name) && !result.parent().hasChild(name))
+    const std::vector<DccNode> results = tree.all("measurementResult");
+    for (const auto &[name, needed] : kNeeded) {
+        std::set<DccNode> holders; // found once: each result may stand among many others
+        for (const DccNode &stated : tree.all(name))
+            holders.insert(stated.parent());
+        for (const DccNode &result : results)
+            if (!holders.contains(result) && !holders.contains(result.parent()))
                 findings.push_back({name, result.path(), "", {needed, {}}});
+    }
 }
 
 void checkLanguages(const DccTree &tree, DccFindings &findings)

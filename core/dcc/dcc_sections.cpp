@@ -24,6 +24,28 @@ ColumnRole roleOf(const CertificateColumn &column)
     return column.number ? ColumnRole::Number : ColumnRole::Words;
 }
 
+/// "f0_hz" of the table of a quantity's earlier calibrations; "" of all others.
+std::string_view followedIn(const CertificateTable &table)
+{
+    constexpr std::string_view kBegin = "history-";
+    const std::string_view id = table.id;
+    return id.starts_with(kBegin) ? id.substr(kBegin.size()) : std::string_view();
+}
+
+/// Where a table stands in the table of fields.
+std::string placeOf(const CertificateTable &table)
+{
+    const std::string_view followed = followedIn(table);
+    return followed.empty() ? table.id : std::string("history/").append(followed);
+}
+
+/// The same of a column; those of all earlier calibrations are alike.
+std::string placeOf(const CertificateTable &table, const CertificateColumn &column)
+{
+    const std::string place = followedIn(table).empty() ? table.id : "history";
+    return place + "/" + column.heading.text;
+}
+
 bool isDash(const Message &cell)
 {
     return english(cell) == "\xE2\x80\x93";
@@ -55,7 +77,7 @@ void fillUnits(DccColumn &column)
 DccColumn columnOf(const CertificateTable &table, std::size_t at)
 {
     const CertificateColumn &heading = table.columns[at];
-    DccColumn column{heading.heading, refTypeOf(table.id + "/" + heading.heading.text)};
+    DccColumn column{heading.heading, refTypeOf(placeOf(table, heading))};
     const bool isNumber = roleOf(heading) == ColumnRole::Number;
     bool hasValue = false, hasWords = !isNumber;
     for (const std::vector<Message> &row : table.rows) {
@@ -135,13 +157,6 @@ void addText(const DccWords &words, const std::vector<Message> &sentences, XmlEl
         data.add(words.element("dcc:text", sentences));
 }
 
-XmlElement beginResult(const DccWords &words, const CertificateSection &section)
-{
-    XmlElement result = withRefType("dcc:result", refTypeOf(section.id));
-    result.add(words.element("dcc:name", {section.title}));
-    return result;
-}
-
 PrintedValue rowOfKeyResults(const std::vector<Message> &row)
 {
     constexpr std::size_t kExpandedAt = 2, kFactorAt = 3;
@@ -155,54 +170,64 @@ PrintedValue rowOfKeyResults(const std::vector<Message> &row)
     return printed;
 }
 
+/// A section as a result: what `addContent` adds to the data stands between its sentences.
+template <typename AddContent>
+XmlElement sectionResult(
+    const DccWords &words, const CertificateSection &section, const AddContent &addContent)
+{
+    XmlElement result = dccResult(words, section.title, refTypeOf(section.id));
+    XmlElement &data = result.add({"dcc:data"});
+    addText(words, section.paragraphs, data);
+    addContent(data);
+    addText(words, section.notes, data);
+    if (data.children.empty()) // the schema wants something
+        addText(words, {section.title}, data);
+    return result;
+}
+
+/// A row of the key results, or of those that are none.
+XmlElement keyResult(
+    const DccWords &words, const CertificateTable &table, const std::vector<Message> &row)
+{
+    const bool isReported = table.id == "key-results";
+    const std::string refType = refTypeOf("key-results/" + std::string(row[0].text));
+    const PrintedValue printed = isReported ? rowOfKeyResults(row) : PrintedValue{};
+    if (!printed.value.empty())
+        return dccQuantity(words, row[0], refType, printed);
+    return dccWordsQuantity(words, row[0], isReported ? refType : refType + " dyncal_notReported",
+        std::vector<Message>(row.begin() + 1, row.end()));
+}
+
 } // namespace
 
 XmlElement dccListOf(const DccWords &words, const CertificateTable &table)
 {
-    XmlElement list = withRefType("dcc:list", refTypeOf(table.id));
+    XmlElement list = withRefType("dcc:list", refTypeOf(placeOf(table)));
     if (*table.caption.text != '\0')
         list.add(words.element("dcc:name", {table.caption}));
     for (const DccColumn &column : columnsOf(table))
-        for (XmlElement &quantity : dccColumn(words, column))
-            list.add(std::move(quantity));
+        addDccColumn(words, column, list);
     return list;
 }
 
 XmlElement dccResultOf(const DccWords &words, const CertificateSection &section)
 {
-    XmlElement result = beginResult(words, section);
-    XmlElement data{"dcc:data"};
-    addText(words, section.paragraphs, data);
-    for (const CertificateField &field : section.fields)
-        data.add(
-            dccQuantityOf(words, field.label, refTypeOf(section.id + "." + field.id), field.value));
-    for (const CertificateTable &table : section.tables)
-        data.add(dccListOf(words, table));
-    addText(words, section.notes, data);
-    if (data.children.empty())
-        addText(words, {section.title}, data);
-    result.add(std::move(data));
-    return result;
+    return sectionResult(words, section, [&](XmlElement &data) {
+        for (const CertificateField &field : section.fields)
+            data.add(dccQuantityOf(
+                words, field.label, refTypeOf(section.id + "." + field.id), field.value));
+        for (const CertificateTable &table : section.tables)
+            data.add(dccListOf(words, table));
+    });
 }
 
 XmlElement dccKeyResults(const DccWords &words, const CertificateSection &section)
 {
-    XmlElement result = beginResult(words, section);
-    XmlElement data{"dcc:data"};
-    addText(words, section.paragraphs, data);
-    for (const CertificateTable &table : section.tables)
-        for (const std::vector<Message> &row : table.rows) {
-            const std::string own = refTypeOf("key-results/" + std::string(row[0].text));
-            const PrintedValue printed
-                = table.id == "key-results" ? rowOfKeyResults(row) : PrintedValue{};
-            data.add(printed.value.empty() ? dccWordsQuantity(words, row[0],
-                         table.id == "key-results" ? own : own + " dyncal_notReported",
-                         std::vector<Message>(row.begin() + 1, row.end()))
-                                           : dccQuantity(words, row[0], own, printed));
-        }
-    addText(words, section.notes, data);
-    result.add(std::move(data));
-    return result;
+    return sectionResult(words, section, [&](XmlElement &data) {
+        for (const CertificateTable &table : section.tables)
+            for (const std::vector<Message> &row : table.rows)
+                data.add(keyResult(words, table, row));
+    });
 }
 
 } // namespace dyncal

@@ -17,6 +17,14 @@ const CertificateField *DccSource::field(const std::string &section, const std::
     return found == part->fields.end() ? nullptr : &*found;
 }
 
+const UncertainResponse *DccSource::comparisonBeside() const
+{
+    const auto &comparison = results.comparison;
+    const bool isBeside = comparison && comparison->byTransducer && results.response
+        && !results.response->isByTransducer;
+    return isBeside ? &*comparison->byTransducer : nullptr;
+}
+
 std::string DccSource::typed(const std::string &section, const std::string &id) const
 {
     const CertificateField *there = field(section, id);

@@ -26,6 +26,9 @@ struct DccSource
 
     /// A field of a section; null without it.
     const CertificateField *field(const std::string &section, const std::string &id) const;
+    /// The response of a comparison beside that by the step; against a transducer it is the
+    /// response itself. Null where there is none.
+    const UncertainResponse *comparisonBeside() const;
     /// What somebody typed, or a card knew, as one line; "" where nobody did.
     std::string typed(const std::string &section, const std::string &id) const;
 };

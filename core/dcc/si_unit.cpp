@@ -69,6 +69,23 @@ std::string factorOf(std::string_view factor, bool isBelow)
     return word;
 }
 
+/// Takes the next "\name" from the front.
+std::string_view takeUnitWord(std::string_view &unit)
+{
+    const std::size_t end = std::min(unit.find('\\', 1), unit.size());
+    const std::string_view word = unit.substr(0, end);
+    unit.remove_prefix(end);
+    return word;
+}
+
+/// "{2}" becomes "\tothe{-2}"; without the power of one.
+std::string oppositePower(std::string_view braced)
+{
+    std::string power(braced.substr(1, braced.size() - 2));
+    power = power.starts_with('-') ? power.substr(1) : "-" + power;
+    return power == "1" ? std::string() : "\\tothe{" + power + "}";
+}
+
 } // namespace
 
 std::optional<std::string> dsiUnitOf(std::string_view printed)
@@ -87,6 +104,26 @@ std::optional<std::string> dsiUnitOf(std::string_view printed)
             return unit;
         printed.remove_prefix(slash + 1);
     }
+}
+
+std::string quotientOfUnits(const std::string &above, const std::string &below)
+{
+    constexpr std::string_view kPower = "\\tothe";
+    if (above == below)
+        return "\\one";
+    if (below == "\\one")
+        return above;
+    std::string quotient = above == "\\one" ? std::string() : above;
+    for (std::string_view left = below; !left.empty();) {
+        const std::string_view word = takeUnitWord(left);
+        quotient += word;
+        if (std::ranges::find(kPrefixesOfUnits, word, &Symbol::word) != kPrefixesOfUnits.end())
+            continue; // the power of a prefix is that of its unit
+        quotient += left.starts_with(kPower)
+            ? oppositePower(takeUnitWord(left).substr(kPower.size()))
+            : "\\tothe{-1}";
+    }
+    return quotient;
 }
 
 } // namespace dyncal

@@ -14,4 +14,8 @@ namespace dyncal {
 /// "g" is a gram to some and an acceleration to others.
 std::optional<std::string> dsiUnitOf(std::string_view printed);
 
+/// Of two units as the D-SI writes them: "\hertz" over "\kelvin" is "\hertz\kelvin\tothe{-1}";
+/// "\one" where both are the same.
+std::string quotientOfUnits(const std::string &above, const std::string &below);
+
 } // namespace dyncal

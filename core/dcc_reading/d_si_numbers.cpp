@@ -15,18 +15,6 @@ namespace {
 /// The D-SI's word where there is no value.
 constexpr std::string_view kNoValue = "NaN";
 
-std::vector<std::string_view> wordsOf(std::string_view text)
-{
-    constexpr const char *kBlank = " \t\r\n";
-    std::vector<std::string_view> words;
-    for (std::size_t at = text.find_first_not_of(kBlank); at != text.npos;) {
-        const std::size_t end = std::min(text.find_first_of(kBlank, at), text.size());
-        words.push_back(text.substr(at, end - at));
-        at = text.find_first_not_of(kBlank, end);
-    }
-    return words;
-}
-
 tl::unexpected<Error> noNumber(const ParsedElement &element, std::string_view word)
 {
     if (word.find(',') != word.npos)
@@ -92,7 +80,7 @@ Result<std::vector<double>> numbersIn(const ParsedElement &element)
 {
     const bool isList = element.name.ends_with("XMLList");
     std::vector<double> numbers;
-    for (const std::string_view word : wordsOf(element.text)) {
+    for (const std::string &word : wordsIn(element.text)) {
         const bool isNone = isList && word == kNoValue;
         const std::optional<double> number = isNone ? std::optional(kUnknown) : parseNumber(word);
         if (!number || (!isNone && !std::isfinite(*number)))
@@ -124,11 +112,11 @@ Result<std::vector<double>> numbersOfChild(
 
 Result<ListedUnit> unitIn(const ParsedElement &element, std::size_t count)
 {
-    const std::vector<std::string_view> words = wordsOf(element.text);
+    const std::vector<std::string> words = wordsIn(element.text);
     if (words.size() != 1 && words.size() != count)
         return otherCount(element, words.size(), count);
     ListedUnit listed;
-    for (const std::string_view word : words) {
+    for (const std::string &word : words) {
         const std::optional<DSiUnit> unit = parseDSiUnit(word);
         if (!unit)
             return unknownUnit(element, word);

@@ -63,7 +63,7 @@ std::vector<std::string> entriesOf(const ParsedElement &words)
     for (const ParsedElement *content : words.all("content"))
         if (const std::string language = content->attribute("lang");
             language.empty() || language == "en")
-            entries.push_back(content->text);
+            entries.push_back(content->trimmedText());
     return entries;
 }
 

@@ -4,7 +4,7 @@
 #pragma once
 
 #include "core/dcc_reading/dcc_contents.h"
-#include "core/dcc_reading/parsed_xml.h"
+#include "core/xml/parsed_xml.h"
 
 namespace dyncal {
 

@@ -3,7 +3,7 @@
 
 #pragma once
 
-#include "core/dcc_reading/parsed_xml.h"
+#include "core/xml/parsed_xml.h"
 
 #include <string>
 #include <string_view>

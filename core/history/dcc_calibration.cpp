@@ -5,7 +5,7 @@
 
 #include "core/base/calendar_date.h"
 #include "core/dcc_reading/certified_sensor.h"
-#include "core/dcc_reading/parsed_xml.h"
+#include "core/xml/xml_file.h"
 
 #include <cmath>
 #include <fstream>
@@ -126,15 +126,10 @@ Result<EarlierCalibration> earlierCalibrationOfDcc(
 
 Result<EarlierCalibration> readEarlierDcc(const std::string &path)
 {
-    std::ifstream stream(path, std::ios::binary);
-    if (!stream)
-        return fail(ErrorKind::FileUnreadable,
-            {DYNCAL_TEXT("core", "%1 cannot be read; check the path and the rights of the file."),
-                {path}});
-    std::string bytes(kMostXmlBytes + 1, '\0'); // what is longer is refused by its size
-    stream.read(bytes.data(), std::ssize(bytes));
-    bytes.resize(static_cast<std::size_t>(stream.gcount()));
-    return earlierCalibrationOfDcc(path, bytes);
+    const Result<std::string> bytes = xmlFileBytes(path);
+    if (!bytes)
+        return tl::unexpected<Error>(bytes.error());
+    return earlierCalibrationOfDcc(path, *bytes);
 }
 
 } // namespace dyncal

@@ -12,7 +12,6 @@ namespace {
 
 using UncertaintyJson = JsonRecord::Json;
 
-constexpr Index kMostRows = 200; ///< of S(f): each has some twenty lines
 constexpr const char *kWithheldRow
     = "Withheld (see withheld_reason), or a part of its uncertainty is not known.";
 
@@ -174,7 +173,7 @@ void addBudget(JsonRecord &root, const ResultsContext &context)
             addLines(one.of, one, list);
         addAmplitudeLines(context.results(), list);
         const ResponseResult *response = context.results().response.get();
-        const bool isShort = response && response->frequency_Hz.size() <= kMostRows;
+        const bool isShort = response && response->frequency_Hz.size() <= kMostBudgetRows;
         if (isShort) {
             addResponseLines("response", *response, *report, list);
             addComparisonLines(context.results(), list);

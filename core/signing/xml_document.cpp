@@ -3,7 +3,7 @@
 
 #include "core/signing/xml_document.h"
 
-#include "core/signing/xml_limits.h"
+#include "core/xml/xml_limits.h"
 
 #include <xmlsec/crypto.h>
 #include <xmlsec/errors.h>

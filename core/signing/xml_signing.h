@@ -5,7 +5,7 @@
 
 #include "core/base/result.h"
 #include "core/signing/signing_key.h"
-#include "core/signing/xml_limits.h"
+#include "core/xml/xml_limits.h"
 
 #include <string>
 

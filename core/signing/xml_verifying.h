@@ -4,7 +4,7 @@
 #pragma once
 
 #include "core/signing/signature_check.h"
-#include "core/signing/xml_limits.h"
+#include "core/xml/xml_limits.h"
 
 #include <string_view>
 

@@ -7,8 +7,9 @@
 
 Reads certificate.pdf (pdftotext), results.json and dcc.xml (lxml) without any of Dyncal's code. Of the PDF: the
 key results and the rows of S(f) with value, U, k and unit digit by digit, and every other number before the figures as a
-word of the DCC. Of results.json: the reported values with u, k and dof, every row of S(f) with u, the contributions of
-their budgets and the intervals of Monte Carlo, within 1e-12. Exit code 1 where one is missing.
+word of the DCC; the rows of earlier calibrations with value, U and E_n. Of results.json: the reported values with u, k and dof,
+in lists of one unit, every row of S(f) with u, the lines of all their budgets and the intervals of Monte Carlo, within 1e-12.
+Exit code 1 where one is missing.
 """
 import json
 import math
@@ -20,13 +21,20 @@ from pathlib import Path
 
 from lxml import etree
 
-from printed_numbers import QUANTITIES, RESPONSE, ROW, SENSITIVITY, as_core_writes, words_of
+from printed_numbers import UNIT as UNIT_OF
+from printed_numbers import NUMBER, QUANTITIES, RESPONSE, ROW, SENSITIVITY, as_core_writes, words_of
 
 DCC, SI = "{https://ptb.de/dcc}", "{https://ptb.de/si}"
 PREFIX = {"": "", "G": "\\giga", "M": "\\mega", "k": "\\kilo", "m": "\\milli", "\u00b5": "\\micro", "\u03bc": "\\micro",
           "n": "\\nano", "p": "\\pico"}
 UNIT = {"": "\\one", "Hz": "\\hertz", "s": "\\second", "V/Pa": "\\volt\\pascal\\tothe{-1}", "%": "\\percent", "V": "\\volt",
         "A/Pa": "\\ampere\\pascal\\tothe{-1}", "1/Pa": "\\pascal\\tothe{-1}", "rad": "\\radian"}
+RESULT_OF = {"dyncal_responseBudget": "response", "dyncal_responseBudgetAtMarks": "response.marked",
+             "dyncal_comparisonBudget": "comparison", "dyncal_comparisonBudgetAtMarks": "comparison.marked"}
+# A row of the earlier calibrations: day, number, value, U, E_n.
+HISTORY = re.compile(rf"^(\d{{4}}-\d\d-\d\d)\s+(\d+|\u2013)\s+{NUMBER}{UNIT_OF}\s{{2,}}{NUMBER}{UNIT_OF}"
+                     rf"(?: \(k = [\d.]+\))?\s{{2,}}(-?\d+(?:\.\d+)?|\u2013)")
+SCALE = re.compile(r"^\s*-?\d+(?:\.\d+)?(?:\s+-?\d+(?:\.\d+)?)*\s*$")
 PAGE = re.compile(r"\b\d+ (?:of|av|von) \d+\s*$|\(\d+\)\s*$")
 TOKEN = re.compile(r"(?<![\w.])-?\d+(?:\.\d+)?(?![\w]|\.\d)")
 
@@ -103,12 +111,17 @@ def check_rows(text, root, errors):
 
 
 def check_words(text, root, language, errors):
-    """Every number is a number of the DCC, or a word of one of its texts; but for those of the pages."""
+    """Every number is a number of the DCC, or a word of one of its texts; but for those of the pages and the scales of
+    the figures of earlier calibrations."""
     said = [as_core_writes(node.text or "", language) for node in root.iter(DCC + "content")]
     said += [(node.text or "").replace("E", " E") for node in root.iter() if node.tag != DCC + "content"]
     words = set(TOKEN.findall(" ".join(said)))
     found = 0
+    title, with_figures = words_of(language).get("Earlier calibrations", "Earlier calibrations"), False
     for line in text.splitlines():
+        with_figures = with_figures or line.strip() == title
+        if with_figures and SCALE.match(line):
+            continue
         for token in TOKEN.findall(PAGE.sub("", line)):
             found += 1
             if token not in words:
@@ -116,15 +129,24 @@ def check_words(text, root, language, errors):
     return found
 
 
+def words_in(quantity):
+    return [content.text for content in quantity.find(DCC + "noQuantity")]
+
+
+def column(table, ref_type, name="valueXMLList"):
+    return numbers(of_type(table, ref_type)[0], name)[0]
+
+
 def check_reported(results, root, errors):
-    lists = of_type(root, "dyncal_reportedValues")
-    if not lists:
-        return 0
-    names = [content.text for content in of_type(lists[0], "dyncal_reportedName")[0].find(DCC + "noQuantity")]
-    columns = [numbers(of_type(lists[0], name)[0], "valueXMLList")[0]
-               for name in ("dyncal_reportedValue", "dyncal_coverageFactor", "dyncal_degreesOfFreedom")]
-    standard = numbers(of_type(lists[0], "dyncal_reportedValue")[0], "valueStandardMUXMLList")[0]
-    there = dict(zip(names, zip(columns[0], standard, columns[1], columns[2])))
+    there = {}
+    for table in (table for result in of_type(root, "dyncal_reportedValues") for table in result.iter(DCC + "list")):
+        units = texts(of_type(table, "dyncal_reportedValue")[0], "unitXMLList")[0].split()
+        if len(units) != 1:
+            errors.append(f"reported values: a list has the units {units}")
+        there |= dict(zip(words_in(of_type(table, "dyncal_reportedName")[0]),
+                          zip(column(table, "dyncal_reportedValue"),
+                              column(table, "dyncal_reportedValue", "valueStandardMUXMLList"),
+                              column(table, "dyncal_coverageFactor"), column(table, "dyncal_degreesOfFreedom"))))
     wanted = {row["quantity"]: row for row in results["characteristics"]}
     if results.get("sensitivity"):
         wanted["sensitivity"] = results["sensitivity"]
@@ -168,16 +190,71 @@ def check_response(response, root, ref_type, errors):
     return len(response["frequency_hz"])
 
 
-def check_lists(results, root, errors):
-    """Contributions of the budgets as a set of numbers; intervals of Monte Carlo, each as often as it is stated."""
-    contributions = {value for node in of_type(root, "dyncal_budgetContribution")
-                     for row in numbers(node, "valueXMLList") for value in row}
-    lines = [line for line in results["budget"] or [] if not line["of"].startswith(("response", "comparison", "model"))]
+def check_history(text, root, errors):
+    """Each row of the tables of earlier calibrations: day, number, value, U and E_n."""
+    stated = set()
+    for table in of_type(root, "dyncal_historyOf"):
+        days, certificates = (words_in(of_type(table, name)[0])
+                              for name in ("dyncal_dayOfCalibration", "dyncal_earlierCertificate"))
+        values = table_of(of_type(table, "dyncal_earlierValue")[0])
+        quantity = of_type(table, "dyncal_normalisedError")[0]
+        ratios = texts(quantity, "valueXMLList")[0].split() if texts(quantity, "valueXMLList") else ["NaN"] * len(days)
+        stated |= {(day, number, *value[:3], ratio)
+                   for day, number, value, ratio in zip(days, certificates, values, ratios)}
+    found = 0
+    for match in filter(None, (HISTORY.match(line.strip()) for line in text.splitlines())):
+        day, number, value, prefix, unit, u, _, _, ratio = match.groups()
+        found += 1
+        wanted = (day, number, value, PREFIX[prefix or ""] + UNIT[unit or ""], u, ratio.replace("\u2013", "NaN"))
+        if wanted not in stated:
+            errors.append(f"earlier calibration {wanted} is not in the DCC")
+    return found
+
+
+def check_line(line, sources, errors):
+    """A line of a budget among (source, shot, u, coefficient, contribution); u and coefficient may be unknown."""
+    def fits(source):
+        name, shot, u, coefficient, contribution = source
+        return (name == line["quantity"] and shot == (line["shot"] or 0) and same(line["contribution"], contribution)
+                and (math.isnan(u) or same(line["u"], u))
+                and (math.isnan(coefficient) or same(line["sensitivity"], coefficient)))
+    if not any(map(fits, sources)):
+        errors.append(f"budget of {line['of']}: {line['quantity']} {line['contribution']} is not in the DCC")
+
+
+def check_budgets(results, root, errors):
+    """The lines of each budget in the list of its name; those of S(f) in their row of a source's column."""
+    budgets = {}
+    for table in (node for node in of_type(root, "dyncal_uncertaintyBudget") if node.tag == DCC + "list"):
+        columns = [column(table, "dyncal_budget" + name)
+                   for name in ("SourceShot", "Uncertainty", "Coefficient", "Contribution")]
+        budgets[table.find(DCC + "name")[0].text] = list(
+            zip(words_in(of_type(table, "dyncal_budgetSource")[0]), *columns))
+    rows = {}
+    for result, of in RESULT_OF.items():
+        for table in (table for node in of_type(root, result) for table in node.iter(DCC + "list")):
+            kind = "magnitude" if "dyncal_magnitudeBudget" in table.get("refType").split() else "phase_rad"
+            rows[f"{of}.{kind}"] = [(quantity.find(DCC + "name")[0].text, numbers(quantity, "valueXMLList")[0])
+                                    for quantity in of_type(table, "dyncal_budgetContribution")]
     reported = {row["quantity"] for row in results["characteristics"] if row["u"] is not None}
-    for line in lines:
-        known = line["of"].startswith(("sensitivity", "shots")) or line["of"] in reported
-        if known and line["contribution"] is not None and line["contribution"] not in contributions:
-            errors.append(f"budget of {line['of']}: {line['quantity']} {line['contribution']} is not in the DCC")
+    found = 0
+    for line in results["budget"] or []:
+        of, _, place = line["of"].partition("[")
+        if of in rows or of.startswith(("response", "comparison")):
+            at = int(place.rstrip("]"))
+            if not any(name.split(",")[0] == line["quantity"] and same(line["contribution"], values[at])
+                       for name, values in rows.get(of, [])):
+                errors.append(f"budget of {line['of']}: {line['quantity']} {line['contribution']} is not in the DCC")
+        elif line["of"].startswith(("sensitivity", "shots")) or line["of"] in reported:
+            check_line(line, budgets.get(line["of"], []), errors)
+        else:
+            continue
+        found += 1
+    return found
+
+
+def check_drawn(results, root, errors):
+    """The intervals of Monte Carlo, each as often as it is stated."""
     ends = Counter(value for name in ("intervalMinXMLList", "intervalMaxXMLList") for row in numbers(root, name)
                    for value in row)
     drawn = (results["monte_carlo"] or {}).get("quantities", [])
@@ -188,7 +265,7 @@ def check_lists(results, root, errors):
             ends[row[key]] -= 1
             if ends[row[key]] < 0:
                 errors.append(f"Monte Carlo, {row['of']}: {row[key]} is not in the DCC")
-    return len(lines) + len(drawn)
+    return len(drawn)
 
 
 def main():
@@ -210,9 +287,11 @@ def main():
               check_words(before, root, language, errors), check_reported(results, root, errors),
               check_response(results["response"], root, "dyncal_complexResponse", errors),
               check_response((results["response"] or {}).get("marked"), root, "dyncal_complexResponseAtMarks", errors),
-              check_lists(results, root, errors)]
+              check_budgets(results, root, errors), check_drawn(results, root, errors),
+              check_history(before, root, errors)]
     print(f"{counts[0]} key results, {counts[1]} printed rows, {counts[2]} printed numbers, {counts[3]} reported values, "
-          f"{counts[4]} + {counts[5]} rows of S(f), {counts[6]} lines of budgets and Monte Carlo: {len(errors)} not found")
+          f"{counts[4]} + {counts[5]} rows of S(f), {counts[6]} lines of budgets, {counts[7]} intervals of Monte Carlo, "
+          f"{counts[8]} earlier values: {len(errors)} not found")
     for error in errors:
         print(error)
     sys.exit(1 if errors else 0)

@@ -94,6 +94,34 @@ private slots:
         }
     }
 
+    /// A country that nobody has typed is said, and is no obstacle.
+    void issued_saysWhichCountryIsMissing()
+    {
+        const IssuedJob job;
+        QVERIFY(job.begin(path("shot.h5")));
+        const Answer without = job.issue({"--json"});
+        QCOMPARE(without.exitCode, 0);
+        QVERIFY2(without.err.contains("CER-010"), without.err);
+        const QJsonArray said = QJsonDocument::fromJson(without.out)["findings"].toArray();
+        QCOMPARE(said.size(), 2);
+        QCOMPARE(said[0]["id"].toString(), QString("CER-010"));
+        QCOMPARE(said[0]["severity"].toString(), QString("caution"));
+        QJsonObject recipe = completeRecipe();
+        QJsonObject fields = completeFields();
+        fields["laboratory_country"] = "SE";
+        fields["customer_address"] = "2 Test Street, NO-0010 Oslo";
+        recipe["certificate"] = QJsonObject{{"fields", fields}};
+        const IssuedJob stated;
+        QVERIFY(stated.begin(path("shot.h5"), recipe));
+        const Answer with = stated.issue();
+        QCOMPARE(with.exitCode, 0);
+        QVERIFY2(!with.err.contains("CER-010"), with.err);
+        const QByteArray xml = fileBytes(stated.output() + "/1/dcc.xml");
+        QVERIFY(xml.contains("<dcc:countryCodeISO3166_1>SE<"));
+        QVERIFY(xml.contains("<dcc:countryCode>NO<"));
+        QCOMPARE(runDyncal({"dcc", "check", stated.output() + "/1/dcc.xml"}).exitCode, 0);
+    }
+
     void check_answersAsTheOtherCommands()
     {
         QCOMPARE(runDyncal({"dcc", "check", path("nothing.xml")}).exitCode, 3);

@@ -4,6 +4,7 @@
 // Certificates that state the sensor's history, by the built program.
 
 #include "tests/support/test_program.h"
+#include "tests/system/dcc_judges.h"
 #include "tests/system/issued_job.h"
 
 #include <QProcess>
@@ -97,6 +98,12 @@ private slots:
         QVERIFY2(text.contains("Earlier calibrations"), qPrintable(text));
         QVERIFY(text.contains(QRegularExpression("2025-03-01 +1 +\\d")));
         QVERIFY(text.contains(QRegularExpression("2026-01-07 +2 +\\d")));
+        const QByteArray dcc = fileBytes(job.output() + "/2/dcc.xml");
+        QVERIFY(dcc.contains("refType=\"dyncal_historyOf dyncal_sensitivity\""));
+        QCOMPARE(missingNumbers(job.output() + "/2", "en"), QByteArray());
+        const Answer rules = runDyncal({"dcc", "check", job.output() + "/2/dcc.xml", "--json"});
+        for (const QJsonValue finding : QJsonDocument::fromJson(rules.out)["findings"].toArray())
+            QCOMPARE(finding["rule"].toString(), QString("country"));
         QCOMPARE(job.verify({job.output()}).exitCode, 1); // only that it is not signed
     }
 

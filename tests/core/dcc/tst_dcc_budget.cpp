@@ -1,15 +1,13 @@
 // SPDX-FileCopyrightText: 2026 The Dyncal authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Budgets and Monte Carlo that are written down, read back number by number.
+// Budgets that are written down, read back number by number.
 
 #include "core/dcc/dcc_budget.h"
-#include "core/monte_carlo/chain_monte_carlo.h"
 #include "core/shock/shock_uncertainty.h"
 #include "tests/core/dcc/example_dcc.h"
 #include "tests/core/dcc/read_xml.h"
 #include "tests/support/hostile_text.h"
-#include "tests/support/made_monte_carlo.h"
 #include "tests/support/test_program.h"
 
 #include <QTest>
@@ -67,14 +65,6 @@ ReadXml ofModel(const ReportedValue &value)
     return readOf(exampleOf(report));
 }
 
-ReadXml drawn(const ChainMonteCarlo &made)
-{
-    ExampleSource example;
-    example.results.uncertainty = nullptr;
-    example.results.chainMonteCarlo = std::make_shared<ChainMonteCarlo>(made);
-    return readOf(example);
-}
-
 /// The unit of a source's u, by its name alone.
 QString unitOf(const std::string &name, double sensitivity = 2.0)
 {
@@ -103,6 +93,7 @@ private slots:
             QStringList({"noise", "t1_k"}));
         QCOMPARE(values("dyncal_budgetSourceShot"), QStringList({"2", "0"}));
         QCOMPARE(values("dyncal_budgetUncertainty"), QStringList({"3", "0.5"}));
+        QCOMPARE(values("dyncal_budgetCoefficient"), QStringList({"1", "-8"}));
         QCOMPARE(values("dyncal_budgetContribution"), QStringList({"3", "-4"}));
         QCOMPARE(values("dyncal_degreesOfFreedom"), QStringList({"7", "NaN"}));
         QCOMPARE(
@@ -117,6 +108,8 @@ private slots:
             return xml.list(quantityPath(refType, "//si:unitXMLList"));
         };
         QCOMPARE(units("dyncal_budgetUncertainty"), QStringList({"\\hertz", "\\kelvin"}));
+        QCOMPARE(units("dyncal_budgetCoefficient"),
+            QStringList({"\\one", "\\hertz\\kelvin\\tothe{-1}"}));
         QCOMPARE(units("dyncal_budgetContribution"), QStringList("\\hertz"));
         QCOMPARE(units("dyncal_budgetShare"), QStringList("\\percent"));
         QCOMPARE(units("dyncal_degreesOfFreedom"), QStringList("\\one"));
@@ -133,6 +126,21 @@ private slots:
         const auto parts
             = xml.numbers(quantityPath("dyncal_budgetContribution", "//si:valueXMLList"));
         QCOMPARE(std::hypot(parts[0], parts[1]), 5.0);
+    }
+
+    /// GUM 5.1.2: a contribution is the coefficient times u, in number and in unit.
+    void coefficientTimesU_isTheContribution()
+    {
+        const ReadXml xml = ofModel(frequency());
+        const auto numbers = [&](const char *refType) {
+            return xml.numbers(quantityPath(refType, "//si:valueXMLList"));
+        };
+        const auto u = numbers("dyncal_budgetUncertainty");
+        const auto c = numbers("dyncal_budgetCoefficient");
+        const auto parts = numbers("dyncal_budgetContribution");
+        QCOMPARE(c.size(), parts.size());
+        for (std::size_t i = 0; i < parts.size(); ++i)
+            QCOMPARE(c[i] * u[i], parts[i]);
     }
 
     void unitOfASource_isWhatItsNameSays_data()
@@ -189,6 +197,8 @@ private slots:
         const ReadXml xml = ofModel(value);
         QCOMPARE(xml.text(quantityPath("dyncal_budgetUncertainty", "//si:valueXMLList")),
             QString("NaN"));
+        QCOMPARE(xml.text(quantityPath("dyncal_budgetCoefficient", "//si:valueXMLList")),
+            QString("NaN"));
         QCOMPARE(
             xml.text(quantityPath("dyncal_budgetContribution", "//si:valueXMLList")), QString("3"));
     }
@@ -227,7 +237,7 @@ private slots:
     void columnsOfAList_areOfOneLength()
     {
         const ReadXml xml = ofModel(frequency());
-        QCOMPARE(xml.count("//dcc:list/dcc:quantity"), 7);
+        QCOMPARE(xml.count("//dcc:list/dcc:quantity"), 8);
         for (const QString &list : xml.texts("//si:valueXMLList"))
             QCOMPARE(list.split(' ').size(), 2);
         QCOMPARE(xml.count("//dcc:noQuantity"), 2);
@@ -241,7 +251,7 @@ private slots:
             value.of = value.lines.front().quantity = hostile;
             const ReadXml xml = ofModel(value);
             QVERIFY2(xml.isWellFormed(), hostile.c_str());
-            QCOMPARE(xml.count("//dcc:list/dcc:quantity"), 7);
+            QCOMPARE(xml.count("//dcc:list/dcc:quantity"), 8);
             QCOMPARE(xml.count("//dcc:list/dcc:name/dcc:content"), 1);
         }
     }
@@ -252,56 +262,6 @@ private slots:
         example.results.uncertainty = nullptr;
         QVERIFY(readOf(example).parts().isEmpty());
         QVERIFY(readOf(exampleOf(UncertaintyReport())).parts().isEmpty());
-    }
-
-    /// Values, u and intervals in the order of the trials; what does not exist in some is NaN.
-    void drawnValues_areThoseOfTheTrials()
-    {
-        const ReadXml xml = drawn(testing::madeMonteCarlo());
-        QCOMPARE(xml.texts(quantityPath("dyncal_reportedName", "/dcc:noQuantity/dcc:content")),
-            QStringList({"sensitivity", "sensitivity.per_level[0]", "f0_hz", "within_5_percent_hz",
-                "settling_time_s"}));
-        QCOMPARE(xml.numbers("//si:valueXMLList[../../@refType='dyncal_reportedValue']"),
-            std::vector<double>({5e-6, 5.1e-6, 1e5, 2e4, 1e-5}));
-        QCOMPARE(xml.list("//si:unitXMLList[../../@refType='dyncal_reportedValue']"),
-            QStringList({"\\volt\\pascal\\tothe{-1}", "\\volt\\pascal\\tothe{-1}", "\\hertz",
-                "\\hertz", "\\second"}));
-        const auto u = xml.numbers("//si:valueStandardMUXMLList");
-        QCOMPARE(u[2], 100.0);
-        QCOMPARE(xml.numbers("//si:intervalMinXMLList")[2], 99800.0);
-        QCOMPARE(xml.numbers("//si:intervalMaxXMLList")[2], 100200.0);
-        for (const char *list : {"valueStandardMU", "intervalMin", "intervalMax"})
-            QCOMPARE(xml.list(std::string("//si:") + list + "XMLList").back(), QString("NaN"));
-        QCOMPARE(xml.text("//si:coverageProbabilityXMLList"), QString("0.95"));
-    }
-
-    /// f0 agrees, the 5 % edge does not (2.4 % against 2.9 %), what has no trials cannot.
-    void agreement_isOneOrZero()
-    {
-        const ChainMonteCarlo made = testing::madeMonteCarlo();
-        const QStringList found
-            = drawn(made).list(quantityPath("dyncal_monteCarloValidated", "//si:valueXMLList"));
-        QCOMPARE(found.size(), 5);
-        QCOMPARE(found[2], QString("1"));
-        QCOMPARE(found[3], QString("0"));
-        QCOMPARE(found[4], QString("0"));
-    }
-
-    void coverageOfTheTrials_isStated()
-    {
-        ChainMonteCarlo made = testing::madeMonteCarlo();
-        made.coverage = 0.99;
-        QCOMPARE(drawn(made).text("//si:coverageProbabilityXMLList"), QString("0.99"));
-    }
-
-    void noTrials_areNoResult()
-    {
-        ChainMonteCarlo made = testing::madeMonteCarlo();
-        made.trials = 0;
-        QVERIFY(drawn(made).parts().isEmpty());
-        made = testing::madeMonteCarlo();
-        made.values.clear();
-        QVERIFY(drawn(made).parts().isEmpty());
     }
 };
 

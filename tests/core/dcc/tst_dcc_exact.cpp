@@ -72,23 +72,6 @@ ExampleSource exampleOf(const ResponseResult &response, const RowUncertainty &ro
     return example;
 }
 
-ReportedValue reported(const char *of, double value, const char *unit, double u)
-{
-    ReportedValue one{of, value, unit};
-    one.u = u;
-    one.k = 2.5;
-    one.dof = 4.0;
-    return one;
-}
-
-ReadXml reportedOnly(const UncertaintyReport &report)
-{
-    ExampleSource example;
-    example.results = {};
-    example.results.uncertainty = std::make_shared<UncertaintyReport>(report);
-    return readOf(example);
-}
-
 void near(const std::vector<double> &found, const std::vector<double> &expected)
 {
     QCOMPARE(found.size(), expected.size());
@@ -251,42 +234,6 @@ private slots:
         byTransducer.isByTransducer = true;
         example.results.response = std::make_shared<ResponseResult>(byTransducer);
         QCOMPARE(readOf(example).count("//dcc:result"), 1);
-    }
-
-    void reportedValues_areAllOfThem()
-    {
-        UncertaintyReport report;
-        report.sensitivity = reported("sensitivity", 5.0244886239647644e-06, "V/Pa", 1e-8);
-        report.perLevel = {reported("sensitivity", 5e-6, "V/Pa", 2e-8)};
-        report.ofShots = {reported("sensitivity", 4e-6, "V/Pa", 3e-8)};
-        report.ofModel = {reported("damping_ratio", 0.02, "", 1e-4)};
-        report.ofModel.front().dof = kInf;
-        const ReadXml xml = reportedOnly(report);
-        QCOMPARE(xml.texts(quantityPath("dyncal_reportedName", "//dcc:noQuantity/dcc:content")),
-            QStringList({"sensitivity", "sensitivity.per_level[0]", "shots[0].sensitivity",
-                "damping_ratio"}));
-        QCOMPARE(xml.numbers(quantityPath("dyncal_reportedValue", "//si:valueXMLList")),
-            std::vector<double>({5.0244886239647644e-06, 5e-6, 4e-6, 0.02}));
-        QCOMPARE(xml.numbers("//si:valueStandardMUXMLList"),
-            std::vector<double>({1e-8, 2e-8, 3e-8, 1e-4}));
-        QCOMPARE(xml.list(quantityPath("dyncal_reportedValue", "//si:unitXMLList")).back(),
-            QString("\\one"));
-        QCOMPARE(xml.list(quantityPath("dyncal_coverageFactor", "//si:valueXMLList")),
-            QStringList({"2.5", "2.5", "2.5", "2.5"}));
-        QCOMPARE(xml.list(quantityPath("dyncal_degreesOfFreedom", "//si:valueXMLList")),
-            QStringList({"4", "4", "4", "NaN"}));
-    }
-
-    void valueWithoutU_orUnit_isLeftOut()
-    {
-        UncertaintyReport report;
-        report.ofModel = {reported("a", 1.0, "Hz", 0.1), reported("b", kUnknown, "Hz", 0.1),
-            reported("c", 1.0, "g", 0.1), {"d", 1.0, "Hz"}};
-        QCOMPARE(reportedOnly(report).text(
-                     quantityPath("dyncal_reportedName", "//dcc:noQuantity/dcc:content")),
-            QString("a"));
-        report.ofModel.erase(report.ofModel.begin());
-        QVERIFY(reportedOnly(report).parts().isEmpty());
     }
 };
 

@@ -106,7 +106,38 @@ private slots:
         QVERIFY(words.attributes.empty());
     }
 
-    void columnOfNeither_isNothing() { QVERIFY(dccColumn({}, DccColumn{}).empty()); }
+    void columnOfNeither_isNothing()
+    {
+        XmlElement list;
+        addDccColumn({}, DccColumn{}, list);
+        QVERIFY(list.children.empty());
+    }
+
+    /// What is said of the values stands before them, as the schema wants it.
+    void description_standsBeforeTheValues()
+    {
+        DccColumn column{verbatim("x"), "basic_x", {"1"}, {"\\one"}};
+        column.description = verbatim("normal");
+        XmlElement list;
+        addDccColumn({}, column, list);
+        QCOMPARE(list.children.size(), std::size_t(1));
+        const std::vector<XmlElement> &parts = list.children.front().children;
+        QCOMPARE(parts.size(), std::size_t(3));
+        QCOMPARE(parts[0].name, std::string("dcc:name"));
+        QCOMPARE(parts[1].name, std::string("dcc:description"));
+        QCOMPARE(parts[1].children.front().text, std::string("normal"));
+        QCOMPARE(parts[2].name, std::string("si:realListXMLList"));
+    }
+
+    void result_hasItsNameAndRefType()
+    {
+        const XmlElement result = dccResult(inTwo(), {"Value", {}}, "basic_x");
+        QCOMPARE(result.name, std::string("dcc:result"));
+        QCOMPARE(result.attributes.front().second, std::string("basic_x"));
+        QCOMPARE(result.children.size(), std::size_t(1));
+        QCOMPARE(result.children.front().children.back().text, std::string("V\u00e4rde"));
+        QVERIFY(dccResult({}, verbatim("x"), "").attributes.empty());
+    }
 
     void standardUncertainty_standsWithoutAFactor()
     {
@@ -114,7 +145,9 @@ private slots:
         column.values = {"1", "2"};
         column.units = {"\\one", "\\one"};
         column.standard = {"0.1", "NaN"};
-        const std::string xml = xmlText(dccColumn({}, column).front());
+        XmlElement list;
+        addDccColumn({}, column, list);
+        const std::string xml = xmlText(list.children.front());
         QVERIFY(xml.find("<si:valueStandardMUXMLList>0.1 NaN<") != xml.npos);
         QVERIFY(xml.find("coverageFactor") == xml.npos);
     }

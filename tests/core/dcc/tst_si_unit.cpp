@@ -90,6 +90,48 @@ private slots:
         QCOMPARE(QString::fromStdString(read->symbol()), QString("V/Pa"));
         QVERIFY(std::abs(read->factor - 1e-6) < 1e-18);
     }
+
+    void quotient_isThatOfTheUnits_data()
+    {
+        QTest::addColumn<QString>("above");
+        QTest::addColumn<QString>("below");
+        QTest::addColumn<QString>("quotient");
+        const auto row = [](const char *above, const char *below, const char *quotient) {
+            QTest::addRow("%s over %s", above, below) << above << below << quotient;
+        };
+        row("\\hertz", "\\kelvin", "\\hertz\\kelvin\\tothe{-1}");
+        row("\\hertz", "\\hertz", "\\one");
+        row("\\hertz", "\\one", "\\hertz");
+        row("\\one", "\\hertz", "\\hertz\\tothe{-1}");
+        row("\\one", "\\metre\\tothe{-1}", "\\metre");
+        row("\\volt", "\\metre\\second\\tothe{-1}", "\\volt\\metre\\tothe{-1}\\second");
+        row("\\volt", "\\metre\\tothe{2}", "\\volt\\metre\\tothe{-2}");
+        row("\\volt", "\\metre\\tothe{-0.5}", "\\volt\\metre\\tothe{0.5}");
+        row("\\one", "\\kilo\\pascal\\tothe{-1}", "\\kilo\\pascal");
+        row("\\one", "\\kilogram\\mole\\tothe{-1}", "\\kilogram\\tothe{-1}\\mole");
+    }
+    void quotient_isThatOfTheUnits()
+    {
+        QFETCH(QString, above);
+        QFETCH(QString, below);
+        QFETCH(QString, quotient);
+        QCOMPARE(QString::fromStdString(quotientOfUnits(above.toStdString(), below.toStdString())),
+            quotient);
+    }
+
+    /// Read by other code: the quotient times what was divided by is what was divided.
+    void quotientTimesDivisor_isTheDividend()
+    {
+        for (const char *above : {"\\hertz", "\\volt\\pascal\\tothe{-1}", "\\one", "\\percent"})
+            for (const char *below : {"\\kelvin", "\\metre\\second\\tothe{-1}", "\\milli\\metre",
+                     "\\kilogram\\mole\\tothe{-1}"}) {
+                const auto product = parseDSiUnit(quotientOfUnits(above, below) + below);
+                const auto wanted = parseDSiUnit(above);
+                QVERIFY2(product && wanted, below);
+                QVERIFY2(product->powers == wanted->powers, below);
+                QVERIFY(std::abs(product->factor / wanted->factor - 1.0) < 1e-15);
+            }
+    }
 };
 
 DYNCAL_TEST(TestSiUnit)

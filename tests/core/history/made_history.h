@@ -4,6 +4,7 @@
 #pragma once
 
 #include "core/history/sensor_calibrations.h"
+#include "core/history/sensor_history.h"
 #include "tests/core/recheck/earlier_results.h"
 
 #include <string>
@@ -56,6 +57,19 @@ inline std::vector<EarlierCalibration> madeCalibrations(const std::vector<MadeCa
     for (const MadeCalibration &one : made)
         all.push_back(madeCalibration(one, std::to_string(all.size())));
     return all;
+}
+
+/// The history of one calibration a year from 2020 on, certificate 11, 12, ...
+inline SensorHistory madeHistory(const std::vector<double> &sensitivities, double u = 5e-8)
+{
+    std::vector<EarlierCalibration> all;
+    for (const double value : sensitivities) {
+        const auto number = static_cast<Index>(11 + all.size());
+        const std::string year = std::to_string(2020 + all.size());
+        all.push_back(
+            madeCalibration({.day = year + "-01-01", .sensitivity = value, .u = u}, year, number));
+    }
+    return sensorHistory(calibrationsOfSensor(all, {}).value(), {});
 }
 
 /// "0 2 1": the files in their order.

@@ -14,19 +14,6 @@ using namespace dyncal::testing;
 
 namespace {
 
-/// One a year from 2020 on, certificate 11, 12, ...
-SensorHistory historyOf(const std::vector<double> &sensitivities, double u = 5e-8)
-{
-    std::vector<EarlierCalibration> all;
-    for (const double value : sensitivities) {
-        const auto number = static_cast<Index>(11 + all.size());
-        const std::string year = std::to_string(2020 + all.size());
-        all.push_back(
-            madeCalibration({.day = year + "-01-01", .sensitivity = value, .u = u}, year, number));
-    }
-    return sensorHistory(calibrationsOfSensor(all, {}).value(), {});
-}
-
 const CertificateTable *tableOf(const CertificateSection &section, const char *id)
 {
     const auto found = std::ranges::find(section.tables, id, &CertificateTable::id);
@@ -74,7 +61,7 @@ private slots:
 /// U = 2 u = 1e-7 V/Pa is 0.10 uV/Pa: the value ends where U ends.
 void TestHistorySection::row_hasDayNumberValueAndItsU()
 {
-    const CertificateSection section = historySection(historyOf({5e-6, 5.012e-6}));
+    const CertificateSection section = historySection(madeHistory({5e-6, 5.012e-6}));
     QCOMPARE(section.id, std::string("history"));
     const CertificateTable *table = tableOf(section, "history-sensitivity");
     QVERIFY(table);
@@ -86,14 +73,14 @@ void TestHistorySection::row_hasDayNumberValueAndItsU()
 /// (5.2 - 5.0)/sqrt(0.1^2 + 0.1^2) = sqrt(2).
 void TestHistorySection::En_isAgainstTheLineBefore()
 {
-    const CertificateSection section = historySection(historyOf({5e-6, 5.2e-6}));
+    const CertificateSection section = historySection(madeHistory({5e-6, 5.2e-6}));
     const CertificateTable *table = tableOf(section, "history-sensitivity");
     QCOMPARE(english(table->rows.at(1).at(4)), std::string("1.4"));
 }
 
 void TestHistorySection::first_isOneLine_withoutFigureAndDrift()
 {
-    const CertificateSection section = historySection(historyOf({5e-6}));
+    const CertificateSection section = historySection(madeHistory({5e-6}));
     QCOMPARE(tableOf(section, "history-sensitivity")->rows.size(), std::size_t(1));
     QVERIFY(section.figures.empty());
     QCOMPARE(section.notes.size(), std::size_t(1));
@@ -102,7 +89,7 @@ void TestHistorySection::first_isOneLine_withoutFigureAndDrift()
 void TestHistorySection::chart_needsFive_andNamesWhatIsBeyond()
 {
     const auto chart = [](const std::vector<double> &values) {
-        const CertificateSection section = historySection(historyOf(values));
+        const CertificateSection section = historySection(madeHistory(values));
         return english(tableOf(section, "history-sensitivity")->rows.back().back());
     };
     QCOMPARE(chart({5e-6, 5.01e-6, 5e-6, 5.01e-6}), std::string("–"));
@@ -118,18 +105,18 @@ void TestHistorySection::drift_isStatedWithItsU_andJudgedByIt()
 {
     // 0.1 uV/Pa a year over four years, u = 5e-9 V/Pa: U(b) = 2 u/sqrt(10) = 3.16e-9 V/Pa
     const std::string rising
-        = notesOf(historySection(historyOf({5e-6, 5.1e-6, 5.2e-6, 5.3e-6, 5.4e-6}, 5e-9)));
+        = notesOf(historySection(madeHistory({5e-6, 5.1e-6, 5.2e-6, 5.3e-6, 5.4e-6}, 5e-9)));
     QVERIFY2(rising.find("Sensitivity: it drifts by 1.000 ×10^-7 V/Pa/a ± 0.032 ×10^-7 V/Pa/a")
             != rising.npos,
         rising.c_str());
-    const std::string steady = notesOf(historySection(historyOf({5e-6, 5.001e-6, 5e-6})));
+    const std::string steady = notesOf(historySection(madeHistory({5e-6, 5.001e-6, 5e-6})));
     QVERIFY2(steady.find("Sensitivity: the drift of ") != steady.npos, steady.c_str());
     QVERIFY2(steady.find("is within its U") != steady.npos, steady.c_str());
 }
 
 void TestHistorySection::notStated_isADash_andAQuantityOfNobodyHasNoTable()
 {
-    SensorHistory history = historyOf({5e-6, 5.1e-6});
+    SensorHistory history = madeHistory({5e-6, 5.1e-6});
     history.series[2].entries[0].stated.value = kUnknown;
     const CertificateSection some = historySection(history);
     QCOMPARE(rowText(*tableOf(some, "history-sensitivity"), 0),
@@ -141,7 +128,8 @@ void TestHistorySection::notStated_isADash_andAQuantityOfNobodyHasNoTable()
 
 void TestHistorySection::everyRow_hasACellForEachColumn()
 {
-    const CertificateSection section = historySection(historyOf({5e-6, 5.1e-6, 5e-6, 5e-6, 5e-6}));
+    const CertificateSection section
+        = historySection(madeHistory({5e-6, 5.1e-6, 5e-6, 5e-6, 5e-6}));
     QCOMPARE(section.tables.size(), std::size_t(3));
     for (const CertificateTable &table : section.tables) {
         QCOMPARE(table.rows.size(), std::size_t(5));

@@ -41,7 +41,7 @@ const std::array<CardKind, 4> &cardKinds()
 {
     static const std::array<CardKind, 4> kinds{{
         {"laboratory", QT_TRANSLATE_NOOP("dyncal::CardsTab", "Laboratories"),
-            {"laboratory_address", "place", "laboratory_country"}},
+            {"laboratory_address", "laboratory_country", "place"}},
         {"customer", QT_TRANSLATE_NOOP("dyncal::CardsTab", "Customers"),
             {"customer_address", "customer_country"}},
         {"sensor", QT_TRANSLATE_NOOP("dyncal::CardsTab", "Sensors"),

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Dyncal authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include "core/dcc_reading/parsed_xml.h"
+#include "core/xml/parsed_xml.h"
 
 #include "core/base/ascii_text.h"
 #include "core/base/text_encoding.h"
@@ -68,14 +68,7 @@ private:
     std::vector<std::size_t> m_ends;
 };
 
-constexpr const char *kBlank = " \t\r\n";
-
-std::string_view withoutBlanks(std::string_view text)
-{
-    const std::size_t first = text.find_first_not_of(kBlank);
-    return first == text.npos ? std::string_view()
-                              : text.substr(first, text.find_last_not_of(kBlank) - first + 1);
-}
+constexpr std::string_view kBlanks = " \t\r\n";
 
 /// Text may be interrupted by comments.
 std::string textOf(const pugi::xml_node &node)
@@ -84,7 +77,7 @@ std::string textOf(const pugi::xml_node &node)
     for (const pugi::xml_node &part : node)
         if (part.type() == pugi::node_pcdata || part.type() == pugi::node_cdata)
             text += part.value();
-    return std::string(withoutBlanks(text));
+    return text.find_first_not_of(kBlanks) == text.npos ? std::string() : text;
 }
 
 ParsedElement elementOf(const pugi::xml_node &node, const LineCount &lines)
@@ -104,7 +97,10 @@ bool isDeeperThanAllowed(pugi::xml_document &document)
 {
     struct Depth : pugi::xml_tree_walker
     {
-        bool for_each(pugi::xml_node & /*node*/) override { return depth() < kDeepestXml; }
+        bool for_each(pugi::xml_node &node) override
+        {
+            return node.type() != pugi::node_element || depth() < kDeepestXml;
+        }
     } walker;
     return !document.traverse(walker);
 }
@@ -153,6 +149,13 @@ Result<ParsedElement> rootOf(pugi::xml_document &document, const LineCount &line
 
 } // namespace
 
+std::string ParsedElement::trimmedText() const
+{
+    const std::size_t first = text.find_first_not_of(kBlanks);
+    return first == text.npos ? std::string()
+                              : text.substr(first, text.find_last_not_of(kBlanks) - first + 1);
+}
+
 std::string ParsedElement::attribute(std::string_view named) const
 {
     const auto found = std::ranges::find(
@@ -186,21 +189,32 @@ const ParsedElement *ParsedElement::at(const std::vector<std::string_view> &path
 std::string ParsedElement::textAt(const std::vector<std::string_view> &path) const
 {
     const ParsedElement *reached = at(path);
-    return reached ? reached->text : std::string();
+    return reached ? reached->trimmedText() : std::string();
 }
 
 Result<ParsedElement> readXml(std::string_view bytes)
 {
     if (const Result<void> size = checkSize(bytes); !size)
         return tl::unexpected<Error>(size.error());
-    const Result<std::string> text = utf8Of(bytes);
+    Result<std::string> text = utf8Of(bytes);
     if (!text)
         return tl::unexpected<Error>(text.error());
     const LineCount lines(*text);
     pugi::xml_document document;
-    const pugi::xml_parse_result parsed = document.load_buffer(
+    const pugi::xml_parse_result parsed = document.load_buffer_inplace(
         text->data(), text->size(), pugi::parse_default | pugi::parse_doctype, pugi::encoding_utf8);
     return parsed ? rootOf(document, lines) : malformed(parsed, lines);
+}
+
+std::vector<std::string> wordsIn(std::string_view text)
+{
+    std::vector<std::string> words;
+    for (std::size_t at = text.find_first_not_of(kBlanks); at != text.npos;) {
+        const std::size_t end = std::min(text.find_first_of(kBlanks, at), text.size());
+        words.emplace_back(text.substr(at, end - at));
+        at = text.find_first_not_of(kBlanks, end);
+    }
+    return words;
 }
 
 } // namespace dyncal

@@ -5,6 +5,7 @@
 
 #include "core/base/index.h"
 #include "core/base/result.h"
+#include "core/xml/xml_limits.h"
 
 #include <string>
 #include <string_view>
@@ -17,29 +18,29 @@ namespace dyncal {
 struct ParsedElement
 {
     std::string name; ///< without the prefix of its namespace, which every writer chooses
-    std::string text; ///< all of its own text, blanks at both ends left out
+    std::string text; ///< all of its own, as it stands; "" where it is of blanks alone
     Index line = 0; ///< of the file, from 1
     std::vector<std::pair<std::string, std::string>> attributes = {}; ///< names without prefix
     std::vector<ParsedElement> children = {};
 
+    std::string trimmedText() const; ///< blanks at both ends left out
     std::string attribute(std::string_view named) const; ///< "" where there is none
     const ParsedElement *child(
         std::string_view named) const; ///< the first; null where there is none
     std::vector<const ParsedElement *> all(std::string_view named) const; ///< children, not below
     /// The first child of the first child ... ; null where one of them is missing.
     const ParsedElement *at(const std::vector<std::string_view> &path) const;
-    std::string textAt(const std::vector<std::string_view> &path) const; ///< "" where it is missing
+    /// Blanks at both ends left out; "" where it is missing.
+    std::string textAt(const std::vector<std::string_view> &path) const;
 };
-
-// What an XML file may ask of this program. A certificate with plots inside has a few MiB and some
-// ten thousand elements; what goes beyond is no certificate but an attack or an accident.
-inline constexpr std::size_t kMostXmlBytes = std::size_t(16) << 20U;
-inline constexpr std::size_t kMostXmlElements = 500000;
-inline constexpr int kDeepestXml = 100;
 
 /// Reads a document in UTF-8, UTF-16 or, where it says so, Latin-1. Nothing is fetched and nothing
 /// expanded: a document type, which alone can declare entities, is refused. Fails (FileUnreadable)
-/// on that, on malformed XML, and beyond the limits above, in time and memory linear in the bytes.
+/// on that, on malformed XML, and beyond the limits of xml_limits.h, in time and memory linear in
+/// the bytes.
 Result<ParsedElement> readXml(std::string_view bytes);
+
+/// The words of a text between the blanks of XML.
+std::vector<std::string> wordsIn(std::string_view text);
 
 } // namespace dyncal

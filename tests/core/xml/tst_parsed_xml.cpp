@@ -3,7 +3,7 @@
 
 // An XML document as values, and what is refused before anything is made of it.
 
-#include "core/dcc_reading/parsed_xml.h"
+#include "core/xml/parsed_xml.h"
 #include "tests/support/test_program.h"
 
 #include <QTest>
@@ -47,7 +47,9 @@ private slots:
         QCOMPARE(root->attribute("id"), std::string("x"));
         QCOMPARE(root->attribute("none"), std::string());
         QCOMPARE(root->all("b").size(), std::size_t(2));
-        QCOMPARE(root->child("b")->text, std::string("1 2\n 3")); // around the comment
+        QCOMPARE(root->child("b")->text, std::string("1 2\n 3 "));
+        QCOMPARE(root->child("b")->trimmedText(), std::string("1 2\n 3"));
+        QCOMPARE(root->textAt({"b"}), std::string("1 2\n 3")); // around the comment
         QCOMPARE(root->child("b")->line, Index(3));
         QCOMPARE(root->all("b")[1]->line, Index(4));
     }
@@ -98,15 +100,92 @@ private slots:
                 text += "</a>";
             return text;
         };
-        QVERIFY(faultOf(nested(kDeepestXml - 1)).empty());
-        QVERIFY(faultOf(nested(kDeepestXml + 2)).find("nested") != std::string::npos);
+        QVERIFY(faultOf(nested(kDeepestXml)).empty());
+        QVERIFY(faultOf(nested(kDeepestXml + 1)).find("nested") != std::string::npos);
         QVERIFY(faultOf(nested(400000)).find("nested") != std::string::npos);
         std::string many = "<a>";
-        for (std::size_t i = 0; i <= 2 * kMostXmlElements; ++i)
+        for (std::size_t i = 0; i + 1 < kMostXmlElements; ++i)
+            many += "<b/>";
+        QVERIFY(faultOf(many + "</a>").empty());
+        for (std::size_t i = 0; i <= kMostXmlElements; ++i)
             many += "<b/>";
         QVERIFY(faultOf(many + "</a>").find("tags") != std::string::npos);
         QVERIFY(faultOf("<a>" + std::string(kMostXmlBytes, ' ') + "</a>").find("bytes")
             != std::string::npos);
+        const std::size_t left = kMostXmlBytes - std::string_view("<a></a>").size();
+        QCOMPARE(readXml("<a>" + std::string(left, 'x') + "</a>")->text.size(), left);
+    }
+
+    /// A transfer may end anywhere: what is left is refused, or is no other document.
+    void cutAnywhere_isRefused()
+    {
+        const std::string whole = "<?xml version=\"1.0\"?>\n<p:a b='c'>1 &lt; <d/>\xC3\xA5</p:a>";
+        for (std::size_t size = 0; size < whole.size(); ++size)
+            QVERIFY2(!readXml(whole.substr(0, size)), std::to_string(size).c_str());
+        QCOMPARE(readXml(whole)->text, std::string("1 < \xC3\xA5"));
+    }
+
+    /// Each byte replaced by each of those that mean something: read or refused, and nothing else.
+    void anyByteChanged_isReadOrRefused()
+    {
+        const std::string whole = "<?xml version=\"1.0\"?><p:a b='c'>1&amp;<d/><!-- e --></p:a>";
+        int read = 0, refused = 0;
+        for (std::size_t at = 0; at < whole.size(); ++at)
+            for (const char byte : {'<', '>', '&', '!', '?', '/', '\'', ' ', '\xFF', '\0'}) {
+                std::string mutant = whole;
+                mutant[at] = byte;
+                const Result<ParsedElement> root = readXml(mutant);
+                ++(root ? read : refused);
+                QVERIFY(root || root.error().kind == ErrorKind::FileUnreadable);
+            }
+        QVERIFY2(read > 50 && refused > 200, std::to_string(read).c_str());
+    }
+
+    void attributes_areWithoutPrefix_theFirstOfANameCounts()
+    {
+        const auto root = readXml("<a x:b='1' b='2' c='&#65;&amp;'/>");
+        QCOMPARE(root->attributes.size(), std::size_t(3));
+        QCOMPARE(root->attribute("b"), std::string("1"));
+        QCOMPARE(root->attribute("c"), std::string("A&"));
+        QCOMPARE(root->attribute("x:b"), std::string());
+    }
+
+    void textInParts_isOne()
+    {
+        const auto root = readXml("<a> 1<b>9</b><![CDATA[<2>]]><?p q?>3 </a>");
+        QCOMPARE(root->text, std::string(" 1<2>3 "));
+        QCOMPARE(root->trimmedText(), std::string("1<2>3"));
+        QCOMPARE(root->child("b")->text, std::string("9"));
+        QVERIFY(!root->child("c") && root->all("c").empty());
+    }
+
+    void emptyPath_isTheElementItself()
+    {
+        const auto root = readXml("<a> 7 <b/></a>");
+        QCOMPARE(root->at({}), &*root);
+        QCOMPARE(root->textAt({}), std::string("7"));
+        QCOMPARE(root->at({"b"}), root->child("b"));
+    }
+
+    void blanksAlone_areNoText()
+    {
+        const auto root = readXml("<a> \n <b>\t</b> <!-- c -->\r\n</a>");
+        QCOMPARE(root->text, std::string());
+        QCOMPARE(root->child("b")->text, std::string());
+        QCOMPARE(root->child("b")->trimmedText(), std::string());
+    }
+
+    void wordsIn_areBetweenBlanks()
+    {
+        using Words = std::vector<std::string>;
+        QCOMPARE(wordsIn(""), Words());
+        QCOMPARE(wordsIn(" \t\r\n"), Words());
+        QCOMPARE(wordsIn("a"), Words{"a"});
+        QCOMPARE(wordsIn("\n a\tb\r\nc  "), (Words{"a", "b", "c"}));
+        QCOMPARE(wordsIn("a\xC2\xA0"
+                         "b"),
+            (Words{"a\xC2\xA0"
+                   "b"}));
     }
 };
 
