@@ -120,7 +120,7 @@ constexpr std::pair<std::string_view, FindingPlace> kPlaces[]{
     {"CER-007", {Page::Uncertainty, "capabilityOf"}},
     {"CER-008", {Page::Uncertainty, "uncertaintyResult"}},
     {"CER-009", {Page::Uncertainty, "budgetTable"}},
-    {"CER-010", {Page::Certificate, "field_laboratory_address"}},
+    {"CER-010", {Page::Certificate, "field_laboratory_country"}},
     {"PRJ-001", {Captures, "shotTable"}},
 };
 

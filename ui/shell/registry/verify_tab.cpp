@@ -91,7 +91,7 @@ void VerifyTab::showWords()
     m_folder->setToolTip(tr("The folder of a certificate, or one above several"));
     m_files->setText(tr("F&iles..."));
     m_files->setToolTip(tr("Certificates, results, projects, recordings or a registry"));
-    show();
+    showVerdicts();
 }
 
 void VerifyTab::askForTrust()
@@ -132,15 +132,15 @@ void VerifyTab::verify(const QStringList &paths)
         return;
     m_preferences.setIssuing(Preferences::Issuing::Trust, m_trust->text().trimmed());
     m_verified = {}; // what cannot be looked at leaves no older verdict behind
-    show();
+    showVerdicts();
     m_caller.call(command() + paths, [this](const ProgramAnswer &answer) {
         m_verified = listOf(answer.out);
-        show();
+        showVerdicts();
     });
 }
 
 /// What is bad comes first, with its sign: it may stand far down in the table.
-void VerifyTab::show()
+void VerifyTab::showVerdicts()
 {
     m_table->setRows(verifiedRows(m_verified));
     const VerifiedCounts counts = countsOf(m_verified);

@@ -36,7 +36,7 @@ private:
     void askForFiles();
     void verify(const QStringList &paths);
     QStringList command() const;
-    void show();
+    void showVerdicts();
 
     RegistryCaller &m_caller;
     Prompts &m_prompts;
