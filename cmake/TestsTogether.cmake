@@ -44,7 +44,10 @@ function(dyncal_test_piece list program number)
     set(script "${PROJECT_SOURCE_DIR}/cmake/write_test_piece.cmake")
     add_custom_command(OUTPUT "${piece}" DEPENDS ${ARGN} "${script}" VERBATIM
         COMMAND "${CMAKE_COMMAND}" "-DPIECE=${piece}" "-DSOURCES=${ARGN}"
-            "-DALONE=${DYNCAL_TESTS_ALONE}" -P "${script}")
-    set_source_files_properties("${piece}" PROPERTIES SKIP_AUTOMOC ON)
+            "-DALONE=${DYNCAL_TESTS_ALONE}" "-DROOT=${PROJECT_SOURCE_DIR}" -P "${script}")
+    # This warning is raised for every class with a member of a file's own type, unless the file is
+    # compiled alone.
+    set_source_files_properties("${piece}" PROPERTIES SKIP_AUTOMOC ON
+        COMPILE_OPTIONS "$<$<CXX_COMPILER_ID:GNU>:-Wno-subobject-linkage>")
     set(${list} ${${list}} "${piece}" PARENT_SCOPE)
 endfunction()
