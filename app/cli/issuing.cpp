@@ -135,7 +135,7 @@ Result<Files> filesOf(const ProjectState &job, const PipelineOutcome &outcome,
         return tl::unexpected<Error>(history.error());
     CertificateIssue issue{number, certificateNumber(record.amends), record.reason, record.head,
         sha256Hex(std::string_view(files["results.json"])), order.signing.isSigned(), {},
-        std::move(history->section)};
+        std::move(history->section), {signerOf(order.signing), order.names.utc}};
     if (outcome.results.response)
         files[kDccFile] = certificateDcc(
             certificateOf(outcome.results, recipe, record.reservedUtc, chosen, issue),

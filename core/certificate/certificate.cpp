@@ -12,6 +12,7 @@
 #include "core/certificate/certificate_key_section.h"
 #include "core/certificate/certificate_method_sections.h"
 #include "core/certificate/certificate_result_sections.h"
+#include "core/certificate/certificate_signature.h"
 #include "core/certificate/certificate_templates.h"
 #include "core/certificate/certificate_words.h"
 
@@ -47,6 +48,7 @@ const std::map<std::string, Maker> &makers()
         {"model", [](C c) { return modelSection(c.results, c.recipe); }},
         {"frequency-response", [](C c) { return frequencyResponseSection(c.results, c.recipe); }},
         {kHistorySection, [](C) { return historyToCome(); }},
+        {kSignatureSection, [](C) { return signatureToCome(); }},
         {"remarks", [](C c) { return remarksSection(c.results, c.recipe); }},
         {"records", [](C c) { return recordsSection(c.results, c.createdUtc); }},
         {"statements", [](C c) { return statementsSection(c.recipe); }},

@@ -3,7 +3,6 @@
 
 #include "core/certificate/certificate_issue.h"
 
-#include "core/certificate/certificate_history.h"
 #include "core/certificate/certificate_words.h"
 
 #include <algorithm>
@@ -61,6 +60,14 @@ void stateTraceability(CertificateData &data)
             {}};
 }
 
+/// What the draft had to leave open; nothing where the template does not have it.
+void replaceSection(const CertificateSection &known, CertificateData &data)
+{
+    const auto open = std::ranges::find(data.sections, known.id, &CertificateSection::id);
+    if (open != data.sections.end())
+        *open = known;
+}
+
 } // namespace
 
 void markIssued(const CertificateIssue &issue, CertificateData &data)
@@ -75,9 +82,10 @@ void markIssued(const CertificateIssue &issue, CertificateData &data)
     if (!issue.amends.empty() && !data.sections.empty())
         data.sections.front().fields.push_back(replacedField(issue));
     stateTraceability(data);
-    const auto history = std::ranges::find(data.sections, kHistorySection, &CertificateSection::id);
-    if (history != data.sections.end() && issue.history)
-        *history = *issue.history;
+    if (issue.history)
+        replaceSection(*issue.history, data);
+    replaceSection(
+        issue.isSigned ? signatureSection(issue.signer, issue.number) : withoutSignature(), data);
     const auto records = std::ranges::find(data.sections, "records", &CertificateSection::id);
     data.sections.insert(records, issueSection(issue));
 }

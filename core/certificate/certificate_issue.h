@@ -5,6 +5,7 @@
 
 #include "core/certificate/certificate.h"
 #include "core/certificate/certificate_data.h"
+#include "core/certificate/certificate_signature.h"
 
 #include <optional>
 #include <string>
@@ -23,6 +24,7 @@ struct CertificateIssue
     std::vector<CertificateAttachment> attachments = {}; ///< inside its PDF
     /// For that of the template (certificate_history.h), where it has one.
     std::optional<CertificateSection> history = {};
+    CertificateSigner signer = {}; ///< where isSigned
 };
 
 /// Mark of a certificate whose file is signed when it is whole.

@@ -139,6 +139,10 @@ constexpr std::array kFields{
     DccField{"history/Value", "dyncal_earlierValue"},
     DccField{"history/En", "dyncal_normalisedError"},
     DccField{"history/Control chart", "dyncal_controlState"},
+    DccField{"signature", "dyncal_signature"},
+    DccField{"signature.signed_by", "dyncal_signedBy"},
+    DccField{"signature.signed_at", "dyncal_signedAt"},
+    DccField{"signature.signed_number", "dyncal_signedNumber"},
     // Statements.
     DccField{"conformity.claim", "dyncal_conformityClaim"},
     DccField{"conformity.rule", "dyncal_conformityRule"},

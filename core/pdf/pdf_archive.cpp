@@ -3,6 +3,8 @@
 
 #include "core/pdf/pdf_archive.h"
 
+#include "core/signing/pdf_increment.h"
+
 #include <qpdf/Buffer.hh>
 #include <qpdf/QPDF.hh>
 #include <qpdf/QPDFEFStreamObjectHelper.hh>
@@ -148,6 +150,22 @@ void attach(QPDF &pdf, const PdfArchive &archive)
     pdf.getRoot().replaceKey("/AF", associated);
 }
 
+/// As a named destination (ISO 32000-1, 12.3.2.3), in a tree of one leaf.
+void setSignaturePlace(QPDF &pdf, const PdfPlace &place)
+{
+    std::vector<Object> destination{
+        pdf.getAllPages().at(static_cast<std::size_t>(place.page)), Object::newName("/FitR")};
+    for (const double part : {place.left_pt, place.bottom_pt, place.right_pt, place.top_pt})
+        destination.push_back(Object::newReal(part, 2));
+    Object tree = dictionary();
+    tree.replaceKey("/Names",
+        Object::newArray({Object::newString(kSignaturePlace), Object::newArray(destination)}));
+    Object names = pdf.getRoot().getKey("/Names");
+    if (!names.isDictionary())
+        names = pdf.getRoot().replaceKeyAndGetNew("/Names", dictionary());
+    names.replaceKey("/Dests", pdf.makeIndirectObject(tree));
+}
+
 /// Qt gives the subset's name to the descriptor only; ISO 32000-1, 9.8.1 wants it to be the font's.
 void nameFonts(QPDF &pdf)
 {
@@ -193,6 +211,8 @@ try {
     setReading(pdf, archive.metadata);
     setBookmarks(pdf, archive.bookmarks);
     attach(pdf, archive);
+    if (archive.signature)
+        setSignaturePlace(pdf, *archive.signature);
     return written(pdf);
 } catch (const std::exception &problem) {
     return fail(ErrorKind::Internal,

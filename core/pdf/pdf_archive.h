@@ -7,6 +7,7 @@
 #include "core/pdf/pdf_metadata.h"
 
 #include <array>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -38,6 +39,16 @@ struct PdfBookmark
         = 0.0; ///< of the place above the lower edge of the page, in points (1/72 inch)
 };
 
+/// A rectangle on a page, in points from its lower left corner.
+struct PdfPlace
+{
+    int page = 0; ///< from 0
+    double left_pt = 0.0;
+    double bottom_pt = 0.0;
+    double right_pt = 0.0;
+    double top_pt = 0.0;
+};
+
 /// What the structure of PDF/A-3 asks for besides the pages.
 struct PdfArchive
 {
@@ -45,6 +56,7 @@ struct PdfArchive
     std::string colorProfile; ///< ICC profile of the colours on the pages, an RGB one
     std::vector<PdfBookmark> bookmarks;
     std::vector<PdfAttachment> attachments;
+    std::optional<PdfPlace> signature = {}; ///< where a signature is to be seen (kSignaturePlace)
 };
 
 /// The PDF with the structure of PDF/A-3 (ISO 19005-3, level B): metadata (XMP) that say the same
@@ -53,8 +65,8 @@ struct PdfArchive
 /// bar. `pdf` is what QPdfWriter wrote: fonts embedded, no encryption; its pages are not touched.
 /// The same arguments give the same bytes, of any dates and identifier in `pdf`: a file of
 /// version 1.7 with one cross-reference table and no object streams, to which a signature can be
-/// appended. Fails (Internal) where `pdf` is no PDF, a bookmark's page is missing, or an
-/// attachment's name or relationship is none.
+/// appended. Fails (Internal) where `pdf` is no PDF, the page of a bookmark or place is missing, or
+/// an attachment's name or relationship is none.
 Result<std::string> withArchiveStructure(const std::string &pdf, const PdfArchive &archive);
 
 } // namespace dyncal

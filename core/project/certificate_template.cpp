@@ -197,7 +197,8 @@ const Names &templateSections()
 {
     static const Names names = [] {
         Names all = CertificateTemplate().sections;
-        all.emplace_back(kHistorySection); // only where a laboratory wants it
+        for (const char *wanted : {kHistorySection, kSignatureSection}) // only by a laboratory
+            all.emplace_back(wanted);
         return all;
     }();
     return names;

@@ -15,6 +15,9 @@ namespace dyncal {
 /// The section of what earlier certificates of the sensor state; no template that comes with the
 /// program has it.
 inline constexpr const char *kHistorySection = "history";
+/// The section over which a signed certificate has the field of its signature, to be seen; no
+/// template that comes with the program has it.
+inline constexpr const char *kSignatureSection = "signature";
 
 /// What a document of results shows, and in which order: a file "dyncal-template/1", which a
 /// laboratory edits (docs/certificate.md). The defaults are the template "accredited".

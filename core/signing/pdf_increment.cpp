@@ -43,11 +43,27 @@ std::string reference(int object)
     return std::to_string(object) + " 0 R";
 }
 
-std::string fieldDictionary(const PdfOutline &outline, int signature)
+/// Objects behind the last one of the PDF.
+struct NewObjects
+{
+    int field, signature, appearance;
+};
+
+std::string fieldDictionary(const PdfOutline &outline, const NewObjects &made)
 {
     // 132: printed and locked; a rectangle of no size is not seen (12.7.4.5).
-    return "<</Type/Annot/Subtype/Widget/FT/Sig/T(Signature1)/F 132/Rect[0 0 0 0]/P "
-        + outline.pageReference + "/V " + reference(signature) + ">>";
+    const std::string seen = outline.isSeen()
+        ? "/Rect" + outline.rectangle + "/AP<</N " + reference(made.appearance) + ">>"
+        : "/Rect[0 0 0 0]";
+    return "<</Type/Annot/Subtype/Widget/FT/Sig/T(Signature1)/F 132" + seen + "/P "
+        + outline.pageReference + "/V " + reference(made.signature) + ">>";
+}
+
+/// Draws nothing: who signs, and when, is printed below it.
+std::string emptyAppearance(const PdfOutline &outline)
+{
+    return "<</Type/XObject/Subtype/Form/BBox" + outline.rectangle
+        + "/Resources<<>>/Length 0>>stream\n\nendstream";
 }
 
 /// Objects as they are appended: "begin" is where each stands in the file.
@@ -93,19 +109,22 @@ private:
 
 Result<UnsignedIncrement> withSignatureField(const std::string &pdf, const PdfSignatureWords &words)
 {
-    const int field = 0, signature = 1; // numbers behind the last one
-    const Result<PdfOutline> outline = outlineOf(pdf, [&](int size) {
-        return PdfAdditions{reference(size + field), reference(size + field)};
+    const Result<PdfOutline> outline = outlineOf(pdf, [](int size) {
+        return PdfAdditions{reference(size), reference(size)};
     });
     if (!outline)
         return tl::unexpected<Error>(outline.error());
     const int first = outline->size;
+    const NewObjects made{first, first + 1, first + 2};
     Update update(pdf);
     update.add(outline->root, outline->rootGeneration, outline->rootContent);
     update.add(outline->page, outline->pageGeneration, outline->pageContent);
-    update.add(first + field, 0, fieldDictionary(*outline, first + signature));
-    update.add(first + signature, 0, signatureDictionary(words));
-    UnsignedIncrement increment{update.end(*outline, first + 2)};
+    update.add(made.field, 0, fieldDictionary(*outline, made));
+    update.add(made.signature, 0, signatureDictionary(words));
+    if (outline->isSeen())
+        update.add(made.appearance, 0, emptyAppearance(*outline));
+    UnsignedIncrement increment{
+        update.end(*outline, outline->isSeen() ? made.appearance + 1 : made.appearance)};
     const std::string open = "/Contents<" + std::string(64, '0'), range = "/ByteRange[0 0 ";
     increment.holeBegin = increment.bytes.find(open, pdf.size()) + std::string("/Contents").size();
     increment.holeEnd = increment.holeBegin + 2 * kCmsRoom + 2;

@@ -3,8 +3,11 @@
 
 #include "core/signing/pdf_outline.h"
 
+#include "core/signing/pdf_increment.h"
+
 #define POINTERHOLDER_TRANSITION 4 // qpdf asks for a choice; this one has no PointerHolder
 #include <qpdf/QPDF.hh>
+#include <qpdf/QPDFNameTreeObjectHelper.hh>
 #include <qpdf/QPDFObjectHandle.hh>
 #include <qpdf/QUtil.hh>
 
@@ -78,11 +81,42 @@ int checkedSize(QPDF &pdf, int last, const QPDFObjectHandle &root, const QPDFObj
     return size;
 }
 
+/// The destination kSignaturePlace (12.3.2.3), if it is one of a page with a rectangle; else null.
+QPDFObjectHandle placeIn(QPDF &pdf)
+{
+    QPDFObjectHandle names = pdf.getRoot().getKey("/Names");
+    QPDFObjectHandle tree = names.isDictionary() ? names.getKey("/Dests") : names;
+    if (!tree.isDictionary())
+        return QPDFObjectHandle::newNull();
+    QPDFObjectHandle place = QPDFObjectHandle::newNull();
+    QPDFNameTreeObjectHelper(tree, pdf, false).findObject(kSignaturePlace, place);
+    constexpr int kParts = 6; // page /FitR left bottom right top
+    bool isPlace = place.isArray() && place.getArrayNItems() == kParts
+        && place.getArrayItem(0).isPageObject() && place.getArrayItem(1).isName()
+        && place.getArrayItem(1).getName() == "/FitR";
+    for (int i = 2; isPlace && i < kParts; ++i)
+        isPlace = place.getArrayItem(i).isNumber();
+    return isPlace ? place : QPDFObjectHandle::newNull();
+}
+
+/// "[57 90 538 140]".
+std::string rectangleOf(QPDFObjectHandle place)
+{
+    std::string text;
+    for (int i = 2; i < place.getArrayNItems(); ++i)
+        text += (text.empty() ? "[" : " ") + place.getArrayItem(i).unparse();
+    return text + ']';
+}
+
 PdfOutline outlineIn(QPDF &pdf, const std::function<PdfAdditions(int)> &added)
 {
     PdfOutline outline;
     const int last = static_cast<int>(pdf.getObjectCount()); // before a page in a list gets one
     QPDFObjectHandle root = pdf.getRoot(), page = pdf.getAllPages().at(0);
+    if (QPDFObjectHandle place = placeIn(pdf); place.isArray()) {
+        page = place.getArrayItem(0);
+        outline.rectangle = rectangleOf(place);
+    }
     outline.size = checkedSize(pdf, last, root, page);
     const PdfAdditions additions = added(outline.size);
     outline.root = root.getObjectID();

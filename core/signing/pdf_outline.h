@@ -15,12 +15,15 @@ struct PdfOutline
 {
     int size = 0; ///< the first free object number
     int root = 0, rootGeneration = 0; ///< catalog
-    int page = 0, pageGeneration = 0; ///< first page
+    int page = 0, pageGeneration = 0; ///< that of the signature's place; else the first
     std::string rootReference, pageReference; ///< "3 0 R"
     std::string rootContent; ///< with the field in its /AcroForm
     std::string pageContent; ///< with the annotation in its /Annots
+    std::string rectangle; ///< of the signature's place, "[57 90 538 140]"; empty: there is none
     std::string trailerRest; ///< /Info and /ID, as far as there are any
     std::size_t table = 0; ///< where the last cross-reference table begins
+
+    bool isSeen() const { return !rectangle.empty(); }
 };
 
 /// References that go into the catalog's form and among the first page's annotations.

@@ -27,6 +27,11 @@ Result<std::string> cmsOf(
 
 } // namespace
 
+std::string signerOf(const SigningOrder &order)
+{
+    return order.key ? order.key->signer() : std::string();
+}
+
 Result<std::string> signedDcc(const std::string &xml, const SigningOrder &order)
 {
     return order.key ? signedXml(xml, *order.key) : xml;
@@ -40,7 +45,7 @@ Result<std::string> signedCertificate(const std::string &pdf, const SigningOrder
     if (order.key)
         if (const Result<void> valid = order.key->checkValidAt(utc); !valid)
             return tl::unexpected<Error>(valid.error());
-    const PdfSignatureWords words{order.key ? order.key->signer() : kSealName, utc};
+    const PdfSignatureWords words{order.key ? signerOf(order) : kSealName, utc};
     return signedPdf(
         pdf, words, [&](const std::string &sha256) { return cmsOf(sha256, order, stop); });
 }

@@ -27,6 +27,9 @@ struct SigningOrder
 /// Name in a PDF of whom a service signs for; that of the certificate stands in its CMS.
 inline constexpr const char *kSealName = "Seal";
 
+/// Name in the certificate of the order's key; empty without a key.
+std::string signerOf(const SigningOrder &order);
+
 /// The DCC with its XML signature. Without a key, as with a seal service, it stays as it is. Fails
 /// as signedXml() does.
 Result<std::string> signedDcc(const std::string &xml, const SigningOrder &order);

@@ -9,6 +9,7 @@
 #include "tests/support/test_program.h"
 #include "tests/system/issued_job.h"
 
+#include <QRegularExpression>
 #include <QtTest>
 
 using namespace dyncal::testing;
@@ -63,6 +64,16 @@ private:
         return answerOf("pdfsig", {job.output() + "/1/certificate.pdf"}).out;
     }
 
+    /// Number of the page, from 1, on which these words stand.
+    static QByteArray pageWith(const QString &pdf, const QByteArray &words)
+    {
+        const QByteArrayList pages = answerOf("pdftotext", {"-layout", pdf, "-"}).out.split('\f');
+        for (qsizetype i = 0; i < pages.size(); ++i)
+            if (pages[i].contains(words))
+                return QByteArray::number(i + 1);
+        return {};
+    }
+
 private slots:
     void initTestCase()
     {
@@ -105,6 +116,43 @@ private slots:
         QCOMPARE(again.out, issued.out);
         const Answer unsignedAgain = job.issue();
         QVERIFY(unsignedAgain.json()["signed"].toBool());
+    }
+
+    /// By a template with the section: the field lies over its words, read by other programs.
+    void signature_isSeenOverNameMomentAndNumber()
+    {
+        const IssuedJob job;
+        QVERIFY(job.begin(recording()));
+        const QJsonArray sections{"administrative", "item", "key-results", "method", "conditions",
+            "results", "frequency-response", "remarks", "statements", "signature"};
+        QVERIFY(writeBytes(job.path("seen.json"),
+            QJsonDocument(QJsonObject{{"schema", "dyncal-template/1"}, {"sections", sections},
+                              {"figures", QJsonArray()}})
+                .toJson()));
+        const Answer issued = job.issue(byKey() + QStringList{"--template", job.path("seen.json")});
+        QVERIFY2(issued.exitCode == 0, issued.err);
+        QVERIFY2(pdfsig(job).contains("Signature is Valid"), pdfsig(job));
+        QVERIFY(pdfsig(job).contains("Total document signed"));
+        const QString pdf = job.output() + "/1/certificate.pdf";
+        QCOMPARE(answerOf("qpdf", {"--check", pdf}).err, QByteArray());
+        const QRegularExpressionMatch place
+            = QRegularExpression("/Rect\\[([\\d.]+) ([\\d.]+) ([\\d.]+) ([\\d.]+)\\]/AP")
+                  .match(QString::fromLatin1(fileBytes(pdf)));
+        QVERIFY(place.hasMatch());
+        const QStringList corner = place.capturedTexts();
+        const QByteArray page = pageWith(pdf, "Electronic signature");
+        QVERIFY(!page.isEmpty());
+        const int bottom = 842 - qRound(corner[2].toDouble());
+        const int top = 842 - qRound(corner[4].toDouble());
+        const QByteArray seen = answerOf("pdftotext",
+            {"-f", page, "-l", page, "-x", corner[1].section('.', 0, 0), "-y", QString::number(top),
+                "-W", QString::number(qRound(corner[3].toDouble() - corner[1].toDouble())), "-H",
+                QString::number(bottom - top), "-layout", pdf, "-"})
+                                    .out.simplified();
+        QCOMPARE(seen,
+            QByteArray("Signed by Example Laboratory Signed at (UTC) 2026-01-01T00:00:00Z Number "
+                       "of the certificate 1"));
+        QCOMPARE(verified(job, trust(), 1)["status"].toString(), "valid");
     }
 
     void copies_makeTheSameBytes()

@@ -315,6 +315,8 @@ std::vector<FlowBlock> certificateBlocks(const CertificateData &data,
                         .arg(figureCaption(figure, *content, words))));
         if (body.empty())
             continue; // a section without content has no heading
+        for (FlowBlock &block : body) // fields: it is signed
+            block.isSignature = section.id == kSignatureSection && !section.fields.empty();
         blocks.push_back(make.heading(words(section.title)));
         std::move(body.begin(), body.end(), std::back_inserter(blocks));
     }

@@ -179,6 +179,8 @@ CertificatePdf::CertificatePdf(
     d->archive = documentArchive(data);
     d->archive.bookmarks
         = documentBookmarks(d->blocks, d->placed, d->pages->page(), area, kPageDpi);
+    d->archive.signature
+        = documentSignaturePlace(d->blocks, d->placed, d->pages->page(), area, kPageDpi);
     if (d->painter.begin(d->writer.get()))
         d->painter.setRenderHint(QPainter::Antialiasing);
     else

@@ -70,6 +70,30 @@ std::vector<PdfBookmark> documentBookmarks(const std::vector<FlowBlock> &blocks,
     return bookmarks;
 }
 
+std::optional<PdfPlace> documentSignaturePlace(const std::vector<FlowBlock> &blocks,
+    const std::vector<PlacedBlock> &placed, const QRectF &page, const QRectF &textArea,
+    double page_dpi)
+{
+    constexpr double kAround = 3.0; // of the words, in pixels
+    std::optional<PlacedBlock> first;
+    double bottom = 0.0;
+    for (const PlacedBlock &place : placed) {
+        const FlowBlock &block = blocks[place.block];
+        if (!block.isSignature || (first && place.page != first->page))
+            continue;
+        if (!first)
+            first = place;
+        bottom = place.top + block.height;
+    }
+    if (!first)
+        return {};
+    const QRectF around(QPointF(textArea.left() - kAround, textArea.top() + first->top - kAround),
+        QPointF(textArea.right() + kAround, textArea.top() + bottom + kAround));
+    const double points = kPointsPerInch / page_dpi;
+    return PdfPlace{first->page, points * around.left(), points * (page.bottom() - around.bottom()),
+        points * around.right(), points * (page.bottom() - around.top())};
+}
+
 std::string sRgbProfile()
 {
     QFile file(QStringLiteral(":/qpdf/sRGB2014.icc")); // the ICC's own, which Qt's PDFs carry

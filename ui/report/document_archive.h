@@ -9,6 +9,8 @@
 
 #include <QRectF>
 
+#include <optional>
+
 namespace dyncal {
 
 /// Title of a document as its file states it: with the number, where there is one.
@@ -20,6 +22,11 @@ PdfArchive documentArchive(const CertificateData &data);
 /// A bookmark for each block that has one. `page` and `textArea` are in pixels of `page_dpi` to the
 /// inch, the same on every page.
 std::vector<PdfBookmark> documentBookmarks(const std::vector<FlowBlock> &blocks,
+    const std::vector<PlacedBlock> &placed, const QRectF &page, const QRectF &textArea,
+    double page_dpi);
+
+/// Where a signature is to be seen, with the same arguments; none where no block asks for it.
+std::optional<PdfPlace> documentSignaturePlace(const std::vector<FlowBlock> &blocks,
     const std::vector<PlacedBlock> &placed, const QRectF &page, const QRectF &textArea,
     double page_dpi);
 

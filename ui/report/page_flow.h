@@ -24,6 +24,7 @@ struct FlowBlock
     /// Drawn above the block when it is the first on a page: a table's heading.
     std::shared_ptr<const FlowBlock> repeatedHeader;
     QString bookmark; ///< its line in the document's list of contents; empty: none
+    bool isSignature = false; ///< a signature is to be seen over it
 };
 
 /// Where one block stands; the header stands above it.

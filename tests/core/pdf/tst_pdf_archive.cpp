@@ -65,6 +65,26 @@ private slots:
         QVERIFY(askTool("pdfdetach", {"-list", "FILE"}, pdf).out.startsWith("3 embedded files"));
     }
 
+    /// As a named destination, beside the attachments, for poppler too.
+    void placeOfASignature_isNamed()
+    {
+        PdfArchive archive = madeArchive();
+        archive.signature = PdfPlace{1, 57.25, 90.0, 538.0, 140.5};
+        for (const bool hasFiles : {true, false}) {
+            if (!hasFiles)
+                archive.attachments.clear();
+            const std::string pdf = archived(archive);
+            const QByteArray said = askTool("pdfinfo", {"-dests", "FILE"}, pdf).out;
+            QVERIFY2(said.contains("\"signature\""), said);
+            QVERIFY2(said.contains("   2 [") && said.contains("57"), said);
+            QCOMPARE(askTool("qpdf", {"--check", "FILE"}, pdf).exitCode, 0);
+            QCOMPARE(attachmentsOf(pdf)->size(), archive.attachments.size());
+        }
+        QVERIFY(!askTool("pdfinfo", {"-dests", "FILE"}, archived()).out.contains("signature"));
+        archive.signature->page = 2;
+        QVERIFY(archived(archive).starts_with("failed"));
+    }
+
     void otherPrograms_findNoFault_andWhatWasSaid()
     {
         const std::string pdf = archived();

@@ -65,6 +65,17 @@ private:
         return made ? *made : english(made.error().message);
     }
 
+    /// For poppler and qpdf.
+    void isSoundAndSigned(const std::string &made) const
+    {
+        m_keys.write("judged.pdf", made);
+        const QByteArray judged = answerOf("pdfsig", {m_keys.path("judged.pdf")}).out;
+        QVERIFY2(judged.contains("Signature is Valid"), judged);
+        QVERIFY2(judged.contains("Total document signed"), judged);
+        const ProgramAnswer qpdf = answerOf("qpdf", {"--check", m_keys.path("judged.pdf")});
+        QVERIFY2(qpdf.ran && qpdf.err.isEmpty(), qpdf.err + qpdf.out);
+    }
+
 private slots:
     void initTestCase()
     {
@@ -99,6 +110,45 @@ private slots:
             (QStringList{"0", QString::number(update->holeBegin), QString::number(update->holeEnd),
                 QString::number(update->bytes.size() - update->holeEnd)}));
         QVERIFY(text.contains("/M(D:20260601120000Z)"));
+    }
+
+    /// Over the named place, on its page; what is no such place leaves it unseen on the first.
+    void signature_isSeenWhereThePdfSays_data()
+    {
+        QTest::addColumn<QByteArray>("place");
+        QTest::addColumn<bool>("isSeen");
+        QTest::newRow("place") << QByteArray("(signature)[4 0 R/FitR 57.25 90 538 140.5]") << true;
+        QTest::newRow("another name")
+            << QByteArray("(other)[4 0 R/FitR 57.25 90 538 140]") << false;
+        QTest::newRow("no rectangle") << QByteArray("(signature)[4 0 R/XYZ null 90 null]") << false;
+        QTest::newRow("no page") << QByteArray("(signature)[2 0 R/FitR 57 90 538 140]") << false;
+        QTest::newRow("words") << QByteArray("(signature)[4 0 R/FitR(a)(b)(c)(d)]") << false;
+        QTest::newRow("nothing") << QByteArray("(signature)null") << false;
+    }
+    void signature_isSeenWhereThePdfSays()
+    {
+        QFETCH(QByteArray, place);
+        QFETCH(bool, isSeen);
+        const std::string page = "<</Type/Page/Parent 2 0 R/MediaBox[0 0 595 842]>>";
+        const std::string pdf = MadePdf()
+                                    .object(1,
+                                        "<</Type/Catalog/Pages 2 0 R/Names<</Dests<</Names["
+                                            + place.toStdString() + "]>>>>>>")
+                                    .object(2, "<</Type/Pages/Kids[3 0 R 4 0 R]/Count 2>>")
+                                    .object(3, page)
+                                    .object(4, page)
+                                    .table("/Size 5/Root 1 0 R")
+                                    .bytes;
+        const std::string made = signedPdfOf(pdf);
+        QVERIFY2(made.starts_with(pdf), made.c_str());
+        const std::string added = made.substr(pdf.size());
+        QCOMPARE(
+            added.find("/Rect[57.25 90 538 140.5]/AP<</N 7 0 R>>/P 4 0 R") != added.npos, isSeen);
+        QCOMPARE(added.find("/Rect[0 0 0 0]/P 3 0 R") != added.npos, !isSeen);
+        QCOMPARE(added.find("7 0 obj\n<</Type/XObject/Subtype/Form/BBox[57.25 90 538 140.5]")
+                != added.npos,
+            isSeen);
+        isSoundAndSigned(made);
     }
 
     void otherPdfs_areSigned_data()
@@ -153,12 +203,7 @@ private slots:
         const std::string base = pdf.toStdString(), made = signedPdfOf(base);
         QVERIFY2(made.starts_with(base), made.c_str());
         QVERIFY(std::string(unsignedRevision(made)).size() <= made.size());
-        m_keys.write("judged.pdf", made);
-        const QByteArray judged = answerOf("pdfsig", {m_keys.path("judged.pdf")}).out;
-        QVERIFY2(judged.contains("Signature is Valid"), judged);
-        QVERIFY2(judged.contains("Total document signed"), judged);
-        const ProgramAnswer qpdf = answerOf("qpdf", {"--check", m_keys.path("judged.pdf")});
-        QVERIFY2(qpdf.ran && qpdf.err.isEmpty(), qpdf.err + qpdf.out);
+        isSoundAndSigned(made);
         const ProgramAnswer pages = answerOf("qpdf", {"--show-npages", m_keys.path("judged.pdf")});
         QCOMPARE(pages.out.trimmed(), QByteArray("1"));
         const std::string twice = signedPdfOf(made);

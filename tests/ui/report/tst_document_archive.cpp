@@ -149,6 +149,26 @@ private slots:
         QCOMPARE(bookmarks[1].height_pt, 576.0); // 8 inches
     }
 
+    /// Around the blocks that ask for it, as wide as the text; of what another page has, nothing.
+    void signature_isSeenOverItsBlocks()
+    {
+        FlowBlock text, words;
+        text.height = words.height = 24.0;
+        words.isSignature = true;
+        const QRectF page(0, 0, 500, 960), area(50, 96, 400, 700);
+        const std::vector<PlacedBlock> placed{
+            {0, 0, 0.0, false}, {1, 1, 96.0, false}, {2, 1, 120.0, false}, {3, 2, 0.0, false}};
+        const auto place
+            = documentSignaturePlace({text, words, words, words}, placed, page, area, 96.0);
+        QVERIFY(place.has_value());
+        QCOMPARE(place->page, 1);
+        QCOMPARE(place->left_pt, 35.25); // 47 pixels
+        QCOMPARE(place->right_pt, 339.75);
+        QCOMPARE(place->top_pt, 578.25); // 960 - 96 - 96 + 3 pixels
+        QCOMPARE(place->bottom_pt, 537.75); // 960 - 96 - 144 - 3
+        QVERIFY(!documentSignaturePlace({text}, {{0, 0, 0.0, false}}, page, area, 96.0));
+    }
+
     void pdf_inEveryTimeZone_hasTheSameBytes()
     {
         const QByteArray zoneBefore = qgetenv("TZ");
