@@ -4148,5 +4148,33 @@
         <source>Budgets of the frequency response against the reference transducer</source>
         <translation>Messunsicherheitsbudgets des Frequenzgangs gegen den Referenzaufnehmer</translation>
     </message>
+    <message>
+        <source>Electronic signature</source>
+        <translation>Elektronische Signatur</translation>
+    </message>
+    <message>
+        <source>When the certificate is issued, who signs it, when, and its number are stated here.</source>
+        <translation>Wenn der Kalibrierschein ausgestellt wird, steht hier, wer ihn signiert, wann, und seine Nummer.</translation>
+    </message>
+    <message>
+        <source>This certificate was issued without an electronic signature.</source>
+        <translation>Dieser Kalibrierschein wurde ohne elektronische Signatur ausgestellt.</translation>
+    </message>
+    <message>
+        <source>a service that signs for the laboratory; its name is in the signature</source>
+        <translation>ein Dienst, der für das Laboratorium signiert; sein Name steht in der Signatur</translation>
+    </message>
+    <message>
+        <source>Signed by</source>
+        <translation>Signiert von</translation>
+    </message>
+    <message>
+        <source>Signed at (UTC)</source>
+        <translation>Signiert (UTC)</translation>
+    </message>
+    <message>
+        <source>Number of the certificate</source>
+        <translation>Nummer des Kalibrierscheins</translation>
+    </message>
 </context>
 </TS>

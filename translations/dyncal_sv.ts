@@ -10097,6 +10097,34 @@ steget</translation>
         <source>Budgets of the frequency response against the reference transducer</source>
         <translation>Osäkerhetsbudgetar för frekvenssvaret mot referensgivaren</translation>
     </message>
+    <message>
+        <source>Electronic signature</source>
+        <translation>Elektronisk signatur</translation>
+    </message>
+    <message>
+        <source>When the certificate is issued, who signs it, when, and its number are stated here.</source>
+        <translation>När beviset utfärdas står här vem som signerar det, när, och dess nummer.</translation>
+    </message>
+    <message>
+        <source>This certificate was issued without an electronic signature.</source>
+        <translation>Detta bevis utfärdades utan elektronisk signatur.</translation>
+    </message>
+    <message>
+        <source>a service that signs for the laboratory; its name is in the signature</source>
+        <translation>en tjänst som signerar för laboratoriet; dess namn står i signaturen</translation>
+    </message>
+    <message>
+        <source>Signed by</source>
+        <translation>Signerat av</translation>
+    </message>
+    <message>
+        <source>Signed at (UTC)</source>
+        <translation>Signerat (UTC)</translation>
+    </message>
+    <message>
+        <source>Number of the certificate</source>
+        <translation>Bevisets nummer</translation>
+    </message>
 </context>
 <context>
     <name>dyncal::ArrivalPanel</name>
