@@ -3,7 +3,7 @@
 
 #include "core/pdf/pdf_archive.h"
 
-#include "core/signing/pdf_increment.h"
+#include "core/signing/pdf_outline.h"
 
 #include <qpdf/Buffer.hh>
 #include <qpdf/QPDF.hh>

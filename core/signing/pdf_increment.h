@@ -26,19 +26,15 @@ struct UnsignedIncrement
     std::size_t holeEnd = 0; ///< behind its '>'
 };
 
-/// Named destination of a PDF, with a rectangle (/FitR), over which its signature is to be seen.
-inline constexpr const char *kSignaturePlace = "signature";
-
 /// Bytes of CMS that the update has room for.
 inline constexpr std::size_t kCmsRoom = 16384;
 
 /// Appends to a PDF, of which no byte is changed, a signature field with sub-filter
-/// ETSI.CAdES.detached (EN 319 142-1): over the place kSignaturePlace, whose words stay to be seen
-/// through it, or else on the first page and not to be seen. New revisions of catalog and page,
-/// field, its appearance, signature dictionary, classic cross-reference table, trailer.
-/// Deterministic. Fails
-/// (FileUnreadable) where it is no sound PDF with a classic cross-reference table, is encrypted, or
-/// has a signature already.
+/// ETSI.CAdES.detached (EN 319 142-1): over the place kSignaturePlace (pdf_outline.h), whose words
+/// stay to be seen through it, or else on the first page and not to be seen. New revisions of
+/// catalog and page, field, its appearance, signature dictionary, classic cross-reference table,
+/// trailer. Deterministic. Fails (FileUnreadable) where it is no sound PDF with a classic
+/// cross-reference table, is encrypted, or has a signature already.
 Result<UnsignedIncrement> withSignatureField(
     const std::string &pdf, const PdfSignatureWords &words);
 

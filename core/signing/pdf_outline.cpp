@@ -3,8 +3,6 @@
 
 #include "core/signing/pdf_outline.h"
 
-#include "core/signing/pdf_increment.h"
-
 #define POINTERHOLDER_TRANSITION 4 // qpdf asks for a choice; this one has no PointerHolder
 #include <qpdf/QPDF.hh>
 #include <qpdf/QPDFNameTreeObjectHelper.hh>

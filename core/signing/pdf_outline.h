@@ -10,6 +10,9 @@
 
 namespace dyncal {
 
+/// Named destination of a PDF, with a rectangle (/FitR), over which its signature is to be seen.
+inline constexpr const char *kSignaturePlace = "signature";
+
 /// What an incremental update must know of a PDF, and the two objects that it replaces.
 struct PdfOutline
 {
