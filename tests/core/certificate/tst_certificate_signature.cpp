@@ -62,7 +62,8 @@ private slots:
 
     void unsigned_saysSo_withoutFields()
     {
-        const CertificateSection *section = issued(false, {}).section(kSignatureSection);
+        const CertificateData data = issued(false, {});
+        const CertificateSection *section = data.section(kSignatureSection);
         QVERIFY(section && section->fields.empty());
         QVERIFY(saidOf(*section).contains("without an electronic signature"));
     }
