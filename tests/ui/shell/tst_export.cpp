@@ -3,6 +3,7 @@
 
 #include "core/base/writing/atomic_file.h"
 #include "tests/support/test_program.h"
+#include "tests/system/dyncal_process.h"
 #include "tests/ui/support/event_loop_watchdog.h"
 #include "ui/shell/main_window.h"
 
@@ -36,12 +37,6 @@ int commandLine(const QStringList &arguments)
     process.setProcessEnvironment(environment);
     process.start(qEnvironmentVariable("DYNCAL_BINARY"), arguments);
     return process.waitForFinished(kPatience_ms) ? process.exitCode() : -1;
-}
-
-QByteArray fileBytes(const QString &path)
-{
-    QFile file(path);
-    return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
 }
 
 bool writeBytes(const QString &path, const char *bytes)

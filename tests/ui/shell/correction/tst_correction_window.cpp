@@ -6,6 +6,7 @@
 
 #include "tests/support/made_results.h"
 #include "tests/support/test_program.h"
+#include "tests/system/dyncal_process.h"
 #include "tests/ui/shell/window_bench.h"
 #include "tests/ui/support/event_loop_watchdog.h"
 #include "tests/ui/support/layout_faults.h"
@@ -148,12 +149,6 @@ int commandLine(const QStringList &arguments)
     QProcess process;
     process.start(qEnvironmentVariable("DYNCAL_BINARY"), arguments);
     return process.waitForFinished(kPatience_ms) ? process.exitCode() : -1;
-}
-
-QByteArray fileBytes(const QString &path)
-{
-    QFile file(path);
-    return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
 }
 
 void compareFolders(const QString &one, const QString &other)

@@ -100,7 +100,7 @@ void TestPreferences::scriptedPrompts_withoutAnswer_cancel()
     prompts.setScripted();
     QVERIFY(prompts.openFiles(nullptr, {}, {}, {}).isEmpty());
     QVERIFY(prompts.saveFile(nullptr, {}, {}, {}, "pdf").isEmpty());
-    QCOMPARE(prompts.saveChanges(nullptr, {}), Answer::Cancel);
+    QCOMPARE(prompts.saveChanges(nullptr, {}), dyncal::Answer::Cancel);
     QVERIFY(!prompts.sentence(nullptr, {}, {}));
     prompts.showProblem(nullptr, "one");
     QCOMPARE(prompts.shownProblems(), QStringList{"one"});

@@ -240,12 +240,12 @@ void TestWorkRecovery::restored_overUnsavedChanges_asksFirst()
     bench.start();
     bench.window->session().reset(bench.state);
     bench.setCustomer("Mine");
-    bench.prompts.setNextAnswer(Answer::Cancel);
+    bench.prompts.setNextAnswer(dyncal::Answer::Cancel);
     bench.click("restoreWork");
     QTest::qWait(50);
     QCOMPARE(bench.customer(), std::string("Mine"));
     QVERIFY(bench.isOffered());
-    bench.prompts.setNextAnswer(Answer::Discard);
+    bench.prompts.setNextAnswer(dyncal::Answer::Discard);
     bench.click("restoreWork");
     QTRY_COMPARE(bench.customer(), std::string("Second"));
     QTRY_COMPARE(bench.kept(), QStringList{"work-1.dyncal"});
@@ -380,10 +380,10 @@ void TestWorkRecovery::closed_discardedChangesLeaveNothing()
     bench.window->session().reset(bench.state);
     bench.setCustomer("A");
     QTRY_VERIFY(!bench.kept().isEmpty());
-    bench.prompts.setNextAnswer(Answer::Cancel);
+    bench.prompts.setNextAnswer(dyncal::Answer::Cancel);
     QVERIFY(!bench.window->close());
     QVERIFY(!bench.kept().isEmpty());
-    bench.prompts.setNextAnswer(Answer::Discard);
+    bench.prompts.setNextAnswer(dyncal::Answer::Discard);
     QVERIFY(bench.window->close());
     bench.window.reset();
     QVERIFY(QDir(bench.place).isEmpty());
