@@ -16,6 +16,7 @@
 #include "core/base/foreign_text.h"
 #include "core/base/json_text.h"
 #include "core/dcc/dcc_country.h"
+#include "core/dcc/dcc_document.h"
 #include "core/issue/issue_obstacles.h"
 #include "core/project/template_choice.h"
 #include "registry/cards/card_filling.h"
@@ -117,9 +118,10 @@ Result<IssueAnswer> issueJob(ProjectState job, const IssueOptions &options)
         outcome, issuedRecipe(job.recipe, "1", options.order.names), options.order.names);
     if (!obstacles.empty())
         return IssueAnswer{{}, std::move(obstacles)};
-    Findings cautions = outcome.results.response ? countryCautions(job.recipe) : Findings();
     return issueCertificate(job, outcome, *layout, options.order)
         .map([&](IssuedCertificate issued) {
+            const bool hasDcc = issued.record.files.contains(kDccFile); // one of long ago has none
+            Findings cautions = hasDcc ? countryCautions(job.recipe) : Findings();
             return IssueAnswer{std::move(issued), std::move(cautions)};
         });
 }
