@@ -85,6 +85,27 @@ bool isCertificateMeant(const OpenedCms &opened)
     return meant && OSSL_ESS_check_signing_certs(nullptr, meant.get(), chain.get(), 1) == 1;
 }
 
+/// Whether the signed attributes are DER (RFC 5652, 5.3). The library verifies them as it would
+/// write them, and would not see a bit that only changes how they stand there.
+bool hasAttributesAsWritten(const CMS_SignerInfo *signer, std::string_view der)
+{
+    std::string all;
+    for (int i = 0; i < CMS_signed_get_attr_count(signer); ++i) {
+        unsigned char *written = nullptr;
+        const int size = i2d_X509_ATTRIBUTE(CMS_signed_get_attr(signer, i), &written);
+        const std::unique_ptr<unsigned char, void (*)(unsigned char *)> kept(
+            written, [](unsigned char *bytes) { OPENSSL_free(bytes); });
+        if (size <= 0)
+            return false;
+        all.append(reinterpret_cast<const char *>(written), static_cast<std::size_t>(size));
+    }
+    const int size = ASN1_object_size(1, static_cast<int>(all.size()), 0);
+    std::string field(static_cast<std::size_t>(size) - all.size(), '\0');
+    auto *head = reinterpret_cast<unsigned char *>(field.data());
+    ASN1_put_object(&head, 1, static_cast<int>(all.size()), 0, V_ASN1_CONTEXT_SPECIFIC);
+    return all.empty() || der.find(field + all) != der.npos;
+}
+
 } // namespace
 
 Result<OpenedCms> openCms(std::string_view der)
@@ -100,6 +121,8 @@ Result<OpenedCms> openCms(std::string_view der)
     if (sk_CMS_SignerInfo_num(signers) != 1 || !opened.others)
         return unreadable();
     opened.signer = sk_CMS_SignerInfo_value(signers, 0);
+    if (!hasAttributesAsWritten(opened.signer, der))
+        return unreadable();
     CMS_set1_signers_certs(opened.cms.get(), nullptr, 0);
     CMS_SignerInfo_get0_algs(opened.signer, nullptr, &opened.certificate, nullptr, nullptr);
     if (opened.certificate == nullptr)

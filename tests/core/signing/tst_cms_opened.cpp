@@ -171,9 +171,14 @@ private slots:
         for (std::size_t i = begin + head.size(); i < m_cms.size(); ++i) {
             if (i >= unsignedBegin && i < unsignedBegin + algorithm.size())
                 continue;
-            std::string bad = m_cms;
-            bad[i] = static_cast<char>(bad[i] ^ (1 << (i % 8)));
-            QVERIFY2(!isAccepted(bad), qPrintable(QString::number(i - begin)));
+            for (int bit = 0; bit < 8; ++bit) {
+                std::string bad = m_cms;
+                bad[i] = static_cast<char>(bad[i] ^ (1 << bit));
+                const QByteArray around = QByteArray::fromStdString(bad.substr(i - 8, 24)).toHex();
+                QVERIFY2(!isAccepted(bad),
+                    qPrintable(
+                        QString("%1, bit %2: %3").arg(i - begin).arg(bit).arg(QString(around))));
+            }
         }
     }
 
