@@ -1085,10 +1085,6 @@
         <translation>Hauptergebnisse</translation>
     </message>
     <message>
-        <source>U = k u is the expanded uncertainty, u the complete standard uncertainty, for a level of confidence of about 95 % (GUM, JCGM 100). What it contains stands in the section &quot;Results in detail&quot;.</source>
-        <translation>U = k u ist die erweiterte Messunsicherheit, u die vollständige Standardunsicherheit, für eine Überdeckungswahrscheinlichkeit von etwa 95 % (GUM, JCGM 100). Was sie enthält, steht im Abschnitt „Ergebnisse im Einzelnen“.</translation>
-    </message>
-    <message>
         <source>Certificate of dynamic calibration</source>
         <translation>Kalibrierschein über eine dynamische Kalibrierung</translation>
     </message>
@@ -1141,28 +1137,8 @@
         <translation>Die Größe des Sprungs ist nicht bekannt: Es wird keine Empfindlichkeit angegeben, und alle Beträge sind relativ.</translation>
     </message>
     <message>
-        <source>Uncertainties marked U (k = 2) are expanded uncertainties with the coverage factor k = 2, or with the larger one printed beside them, for a level of confidence of about 95 % (GUM, JCGM 100). Those of the sensitivity contain the pressure step, the shots, the noise, gain, linearity and mounting; those of the frequency response also the end of the records, the sampling, the front and a drift; those of frequencies and times the noise and the sample clock. What was not stated counts with the usual range: gain 0.5 %, linearity and mounting 0.1 %, clock 50 ppm, a front of up to 100 ns. The budget of every value is in results.json. A value without an uncertainty beside it has none that is complete: it is no result, and has three significant digits; settings and readings are quoted with four at most. Rise time, overshoot, settling time and band edges are those of the model, as far as records and model reach.</source>
-        <translation>Mit U (k = 2) bezeichnete Unsicherheiten sind erweiterte Messunsicherheiten mit dem Erweiterungsfaktor k = 2, oder mit dem größeren, der daneben steht, für eine Überdeckungswahrscheinlichkeit von etwa 95 % (GUM, JCGM 100). Die der Empfindlichkeit enthalten den Drucksprung, die Schüsse, das Rauschen, Verstärkung, Linearität und Einbau; die des Frequenzgangs außerdem das Ende der Aufzeichnungen, die Abtastung, die Front und eine Drift; die von Frequenzen und Zeiten das Rauschen und den Abtasttakt. Was nicht angegeben wurde, zählt mit der üblichen Spanne: Verstärkung 0,5 %, Linearität und Einbau 0,1 %, Takt 50 ppm, eine Front von bis zu 100 ns. Das Budget jedes Werts steht in results.json. Ein Wert ohne Unsicherheit daneben hat keine vollständige: Er ist kein Ergebnis und hat drei signifikante Stellen; Einstellungen und Ablesungen stehen mit höchstens vier. Anstiegszeit, Überschwingen, Einschwingzeit und Bandkanten sind die des Modells, soweit Aufzeichnungen und Modell reichen.</translation>
-    </message>
-    <message>
-        <source>Uncertainties marked U (k = 2) are expanded uncertainties with the coverage factor k = 2, or with the larger one printed beside them, for a level of confidence of about 95 % (GUM, JCGM 100). Those of the sensitivity contain the reference transducer&apos;s certificate, its chain and its level, the shots, the noise, gain, linearity and mounting; those of the frequency response also the noise of the reference, the end of the records, the sampling, a drift and, in the phase, the delay between the two; those of frequencies and times the noise and the sample clock. What was not stated counts with the usual range: gain of either chain 0.5 %, linearity and mounting 0.1 %, clock 50 ppm, a delay of up to 0.5 µs. The budget of every value is in results.json. A value without an uncertainty beside it has none that is complete: it is no result, and has three significant digits; settings and readings are quoted with four at most. Rise time, overshoot, settling time and band edges are those of the model, as far as records and model reach.</source>
-        <translation>Mit U (k = 2) bezeichnete Unsicherheiten sind erweiterte Messunsicherheiten mit dem Erweiterungsfaktor k = 2, oder mit dem größeren, der daneben steht, für eine Überdeckungswahrscheinlichkeit von etwa 95 % (GUM, JCGM 100). Die der Empfindlichkeit enthalten den Kalibrierschein des Referenzaufnehmers, seine Messkette und seinen Pegel, die Schüsse, das Rauschen, Verstärkung, Linearität und Einbau; die des Frequenzgangs außerdem das Rauschen der Referenz, das Ende der Aufzeichnungen, die Abtastung, eine Drift und, in der Phase, die Verzögerung zwischen beiden; die von Frequenzen und Zeiten das Rauschen und den Abtasttakt. Was nicht angegeben wurde, zählt mit der üblichen Spanne: Verstärkung jeder der beiden Messketten 0,5 %, Linearität und Einbau 0,1 %, Takt 50 ppm, eine Verzögerung von bis zu 0,5 µs. Das Budget jedes Werts steht in results.json. Ein Wert ohne Unsicherheit daneben hat keine vollständige: Er ist kein Ergebnis und hat drei signifikante Stellen; Einstellungen und Ablesungen stehen mit höchstens vier. Anstiegszeit, Überschwingen, Einschwingzeit und Bandkanten sind die des Modells, soweit Aufzeichnungen und Modell reichen.</translation>
-    </message>
-    <message>
-        <source>Uncertainties marked U (k = 2) are expanded uncertainties with the coverage factor k = 2, or with the larger one printed beside them, for a level of confidence of about 95 % (GUM, JCGM 100). Those of the frequency response contain the noise of the recordings and of the level, the end of the records, the sampling, the front and a drift; those of frequencies and times the noise and the sample clock. What was not stated counts with the usual range: clock 50 ppm, a front of up to 100 ns. The budget of every value is in results.json. A value without an uncertainty beside it has none that is complete: it is no result, and has three significant digits; settings and readings are quoted with four at most. Rise time, overshoot, settling time and band edges are those of the model, as far as records and model reach.</source>
-        <translation>Mit U (k = 2) bezeichnete Unsicherheiten sind erweiterte Messunsicherheiten mit dem Erweiterungsfaktor k = 2, oder mit dem größeren, der daneben steht, für eine Überdeckungswahrscheinlichkeit von etwa 95 % (GUM, JCGM 100). Die des Frequenzgangs enthalten das Rauschen der Aufzeichnungen und des Pegels, das Ende der Aufzeichnungen, die Abtastung, die Front und eine Drift; die von Frequenzen und Zeiten das Rauschen und den Abtasttakt. Was nicht angegeben wurde, zählt mit der üblichen Spanne: Takt 50 ppm, eine Front von bis zu 100 ns. Das Budget jedes Werts steht in results.json. Ein Wert ohne Unsicherheit daneben hat keine vollständige: Er ist kein Ergebnis und hat drei signifikante Stellen; Einstellungen und Ablesungen stehen mit höchstens vier. Anstiegszeit, Überschwingen, Einschwingzeit und Bandkanten sind die des Modells, soweit Aufzeichnungen und Modell reichen.</translation>
-    </message>
-    <message>
-        <source>Uncertainties marked U (k = 2) are expanded uncertainties with the coverage factor k = 2, or with the larger one printed beside them, for a level of confidence of about 95 % (GUM, JCGM 100). They contain the noise of the recordings and, of frequencies, the sample clock, which counts with 50 ppm unless it was stated. A value without an uncertainty beside it has none that is complete: it is no result, and has three significant digits; settings and readings are quoted with four at most.</source>
-        <translation>Mit U (k = 2) bezeichnete Unsicherheiten sind erweiterte Messunsicherheiten mit dem Erweiterungsfaktor k = 2, oder mit dem größeren, der daneben steht, für eine Überdeckungswahrscheinlichkeit von etwa 95 % (GUM, JCGM 100). Sie enthalten das Rauschen der Aufzeichnungen und, bei Frequenzen, den Abtasttakt, der mit 50 ppm zählt, wenn er nicht angegeben wurde. Ein Wert ohne Unsicherheit daneben hat keine vollständige: Er ist kein Ergebnis und hat drei signifikante Stellen; Einstellungen und Ablesungen stehen mit höchstens vier.</translation>
-    </message>
-    <message>
         <source>Signal to noise is the largest deflection over the standard deviation of the noise before it. No uncertainty is known of the deflection: it has three significant digits.</source>
         <translation>Der Rauschabstand ist der größte Ausschlag, bezogen auf die Standardabweichung des Rauschens davor. Vom Ausschlag ist keine Unsicherheit bekannt: Er hat drei signifikante Stellen.</translation>
-    </message>
-    <message>
-        <source>Signal to noise is the output step over the standard deviation of the noise before it. Rise time 10 % to 90 %; settling to within 5 % of the step. Values without an uncertainty have none that is known: they have three significant digits.</source>
-        <translation>Der Rauschabstand ist der Sprung am Ausgang, bezogen auf die Standardabweichung des Rauschens davor. Anstiegszeit 10 % bis 90 %; Einschwingen auf 5 % des Sprungs. Werte ohne Unsicherheit haben keine, die bekannt wäre: Sie haben drei signifikante Stellen.</translation>
     </message>
     <message>
         <source>not determined (no level at the onset)</source>
@@ -1325,14 +1301,6 @@
         <translation>Plateau</translation>
     </message>
     <message>
-        <source>U of the step is its expanded uncertainty with the coverage factor k of the same line, for a coverage probability of %1 %: that of the reference transducer&apos;s certificate, its chain and the noise of its level. It is contained in the uncertainty of the sensitivity.</source>
-        <translation>U des Sprungs ist seine erweiterte Messunsicherheit mit dem Erweiterungsfaktor k derselben Zeile, für eine Überdeckungswahrscheinlichkeit von %1 %: die des Kalibrierscheins des Referenzaufnehmers, seiner Messkette und des Rauschens seines Pegels. Sie ist in der Unsicherheit der Empfindlichkeit enthalten.</translation>
-    </message>
-    <message>
-        <source>U of the step is its expanded uncertainty with the coverage factor k of the same line, for a coverage probability of %1 %. It follows from the uncertainties of the shock velocity, the initial pressure and temperature and the gas, and holds for an ideal shock tube. It is contained in the uncertainties of the sensitivity and of the magnitudes of the frequency response.</source>
-        <translation>U des Sprungs ist seine erweiterte Messunsicherheit mit dem Erweiterungsfaktor k derselben Zeile, für eine Überdeckungswahrscheinlichkeit von %1 %. Sie folgt aus den Unsicherheiten der Geschwindigkeit der Stoßwelle, des Anfangsdrucks, der Anfangstemperatur und des Gases und gilt für ein ideales Stoßrohr. Sie ist in den Unsicherheiten der Empfindlichkeit und der Beträge des Frequenzgangs enthalten.</translation>
-    </message>
-    <message>
         <source>The pressure step is not determined for every shot: neither a step nor a shock velocity with initial pressure and temperature was given. A sensitivity in the unit of pressure cannot be stated for those shots.</source>
         <translation>Der Drucksprung ist nicht für jeden Schuss bestimmt: Weder ein Sprung noch eine Geschwindigkeit der Stoßwelle mit Anfangsdruck und Anfangstemperatur wurde angegeben. Für diese Schüsse kann keine Empfindlichkeit in der Einheit des Drucks angegeben werden.</translation>
     </message>
@@ -1347,10 +1315,6 @@
     <message>
         <source>Ambient pressure</source>
         <translation>Umgebungsdruck</translation>
-    </message>
-    <message>
-        <source>Relative humidity (ratio)</source>
-        <translation>Relative Feuchte (Verhältnis)</translation>
     </message>
     <message>
         <source>No pressure step is determined: neither a step nor a shock velocity with initial pressure and temperature was given. No sensitivity in the unit of pressure can be stated.</source>
@@ -1495,22 +1459,6 @@
     <message>
         <source>Least U of the laboratory (CMC), below which none is stated</source>
         <translation>Kleinste angebbare Messunsicherheit U des Laboratoriums (CMC), unter der keine angegeben wird</translation>
-    </message>
-    <message>
-        <source>%V1: certificate %V2</source>
-        <translation>%V1: Kalibrierschein %V2</translation>
-    </message>
-    <message>
-        <source>%V1: certificate %V2, which ended on %3, before the measurement</source>
-        <translation>%V1: Kalibrierschein %V2, der am %3 endete, vor der Messung</translation>
-    </message>
-    <message>
-        <source>%V1: certificate %V2, valid until %3</source>
-        <translation>%V1: Kalibrierschein %V2, gültig bis %3</translation>
-    </message>
-    <message>
-        <source>Reference of the budget</source>
-        <translation>Referenz des Budgets</translation>
     </message>
     <message>
         <source>no statement: the response was measured from %1 to %2 only</source>
@@ -1673,10 +1621,6 @@
         <translation>dyncal verify prüft diese Seite, die Dateien daneben und das Register des Laboratoriums gegeneinander.</translation>
     </message>
     <message>
-        <source>The references that the results are traceable by stand with their certificates in the section &quot;Method&quot;.</source>
-        <translation>Die Referenzen, durch die die Ergebnisse rückgeführt sind, stehen mit ihren Kalibrierscheinen im Abschnitt „Verfahren“.</translation>
-    </message>
-    <message>
         <source>Sample rate</source>
         <translation>Abtast­rate</translation>
     </message>
@@ -1773,10 +1717,6 @@
         <translation>%1 (vom Bearbeiter gewählt)</translation>
     </message>
     <message>
-        <source>%1 % of %2 % attainable with this noise</source>
-        <translation>%1 % von %2 %, die bei diesem Rauschen erreichbar sind</translation>
-    </message>
-    <message>
         <source>Fit as in the listing (lagged)</source>
         <translation>Anpassung wie im Programm der Vorlage (verzögert)</translation>
     </message>
@@ -1847,18 +1787,6 @@
     <message>
         <source>Fault seen in 90 %</source>
         <translation>Fehler erkannt in 90 %</translation>
-    </message>
-    <message>
-        <source>%1 trials: %2 of %3 values and rows</source>
-        <translation>%1 Versuche: %2 von %3 Werten und Zeilen</translation>
-    </message>
-    <message>
-        <source>%1 trials: %2 of %3 values and rows; the draws of the model agree with %4 full refits</source>
-        <translation>%1 Versuche: %2 von %3 Werten und Zeilen; die Ziehungen des Modells stimmen mit %4 vollständigen Neuanpassungen überein</translation>
-    </message>
-    <message>
-        <source>GUM validated by Monte Carlo (JCGM 101)</source>
-        <translation>GUM durch Monte Carlo bestätigt (JCGM 101)</translation>
     </message>
     <message>
         <source>%V1 (not a date; write it as 2026-01-31)</source>
@@ -2017,10 +1945,6 @@
         <translation>Dieses Dokument darf ohne schriftliche Genehmigung des Laboratoriums nur vollständig und unverändert weiterverbreitet werden.</translation>
     </message>
     <message>
-        <source>A statement of conformity is made; it has a section.</source>
-        <translation>Eine Konformitätsaussage wird getroffen; sie steht in einem eigenen Abschnitt.</translation>
-    </message>
-    <message>
         <source>No statement of conformity is made.</source>
         <translation>Eine Konformitätsaussage wird nicht getroffen.</translation>
     </message>
@@ -2162,11 +2086,11 @@
     </message>
     <message>
         <source>The state of the shock follows from the driver pressure.</source>
-        <translation>Der Zustand der Stoßwelle folgt aus dem Treiberdruck.</translation>
+        <translation>Der Zustand der Stoßwelle folgt aus dem Druck im Hochdruckteil.</translation>
     </message>
     <message>
         <source>The driver pressure or its temperature is not recorded.</source>
-        <translation>Der Treiberdruck oder seine Temperatur ist nicht aufgezeichnet.</translation>
+        <translation>Der Druck im Hochdruckteil oder seine Temperatur ist nicht aufgezeichnet.</translation>
     </message>
     <message>
         <source>The velocity of the shock is not known.</source>
@@ -2802,7 +2726,7 @@
     </message>
     <message>
         <source>No driver pressure can produce a shock of Mach %1 with this driver gas at %2 K; check the velocity, T4 and the driver gas.</source>
-        <translation>Kein Treiberdruck kann mit diesem Treibergas bei %2 K eine Stoßwelle von Mach %1 erzeugen; die Geschwindigkeit, T4 und das Treibergas prüfen.</translation>
+        <translation>Kein Druck im Hochdruckteil kann mit diesem Treibergas bei %2 K eine Stoßwelle von Mach %1 erzeugen; die Geschwindigkeit, T4 und das Treibergas prüfen.</translation>
     </message>
     <message>
         <source>The pressure ratio p2/p1 is %1; a shock needs more than 1: check both pressures and whether they are absolute.</source>
@@ -2810,7 +2734,7 @@
     </message>
     <message>
         <source>The driver pressure p4 = %1 Pa does not exceed p1 = %2 Pa; both are absolute here: add the ambient pressure to a gauge reading.</source>
-        <translation>Der Treiberdruck p4 = %1 Pa übersteigt p1 = %2 Pa nicht; beide sind hier absolut: zu einem Überdruck den Umgebungsdruck addieren.</translation>
+        <translation>Der Druck im Hochdruckteil p4 = %1 Pa übersteigt p1 = %2 Pa nicht; beide sind hier absolut: zu einem Überdruck den Umgebungsdruck addieren.</translation>
     </message>
     <message>
         <source>The uncertainty of %1 is not stated; add &apos;%2&apos; to uncertainty.budget of the recipe.</source>
@@ -2866,7 +2790,7 @@
     </message>
     <message>
         <source>Such a shock needs a driver pressure of %1, more than the %2 that this tube can have had (three times the recorded one at most, and shock.largest_driver_pressure_pa): check sample rate, distances, gases and temperature.</source>
-        <translation>Eine solche Stoßwelle braucht einen Treiberdruck von %1, mehr als die %2, die dieses Rohr gehabt haben kann (höchstens das Dreifache des aufgezeichneten und shock.largest_driver_pressure_pa): Abtastrate, Abstände, Gase und Temperatur prüfen.</translation>
+        <translation>Eine solche Stoßwelle braucht einen Druck im Hochdruckteil von %1, mehr als die %2, die dieses Rohr gehabt haben kann (höchstens das Dreifache des aufgezeichneten und shock.largest_driver_pressure_pa): Abtastrate, Abstände, Gase und Temperatur prüfen.</translation>
     </message>
     <message>
         <source>The distance alone makes the velocity uncertain by %1 %, which gives %2 % on the pressure step (factor %3).</source>
@@ -2910,11 +2834,11 @@
     </message>
     <message>
         <source>Driver pressure %1 is %2 % below the %3 that the shock implies (both absolute): usual for a finite opening time.</source>
-        <translation>Der Treiberdruck %1 liegt %2 % unter den %3, die die Stoßwelle verlangt (beide absolut): üblich bei endlicher Öffnungszeit.</translation>
+        <translation>Der Druck im Hochdruckteil %1 liegt %2 % unter den %3, die die Stoßwelle verlangt (beide absolut): üblich bei endlicher Öffnungszeit.</translation>
     </message>
     <message>
         <source>Driver pressure %1 is %2 % above the %3 that the shock implies (both absolute): check whether the recorded value is right.</source>
-        <translation>Der Treiberdruck %1 liegt %2 % über den %3, die die Stoßwelle verlangt (beide absolut): prüfen, ob der aufgezeichnete Wert stimmt.</translation>
+        <translation>Der Druck im Hochdruckteil %1 liegt %2 % über den %3, die die Stoßwelle verlangt (beide absolut): prüfen, ob der aufgezeichnete Wert stimmt.</translation>
     </message>
     <message>
         <source>p1 = %1 Pa? Pressures are in pascals here: %1 %2 are %3 Pa, about ambient.</source>
@@ -3918,7 +3842,7 @@
     </message>
     <message>
         <source>When the certificate is issued, the laboratory&apos;s certificates of this sensor that are in force are stated here.</source>
-        <translation>Bei der Ausstellung werden hier die gültigen Kalibrierscheine des Laboratoriums für diesen Sensor angegeben.</translation>
+        <translation>Bei der Ausstellung werden hier die gültigen Kalibrierscheine des Laboratoriums für diesen Aufnehmer angegeben.</translation>
     </message>
     <message>
         <source>inside</source>
@@ -3962,7 +3886,7 @@
     </message>
     <message>
         <source>What the laboratory&apos;s certificates of this sensor state that are in force, this one last. En compares a value with the one before: up to 1 they agree within their U. Control limits need five calibrations.</source>
-        <translation>Was die gültigen Kalibrierscheine des Laboratoriums für diesen Sensor angeben, dieser zuletzt. En vergleicht einen Wert mit dem vorhergehenden: bis 1 stimmen sie innerhalb ihrer U überein. Regelgrenzen erfordern fünf Kalibrierungen.</translation>
+        <translation>Was die gültigen Kalibrierscheine des Laboratoriums für diesen Aufnehmer angeben, dieser zuletzt. En vergleicht einen Wert mit dem vorhergehenden: bis 1 stimmen sie innerhalb ihrer U überein. Regelgrenzen erfordern fünf Kalibrierungen.</translation>
     </message>
     <message>
         <source>Calibrations of one laboratory share tube, references and method: what they share is in every U and cancels in the difference, so that En is smaller than it would be for independent results.</source>
@@ -4175,6 +4099,190 @@
     <message>
         <source>Number of the certificate</source>
         <translation>Nummer des Kalibrierscheins</translation>
+    </message>
+    <message>
+        <source>U of the step is its expanded uncertainty with the coverage factor k of the same line, for a coverage probability of at least %1 %: that of the reference transducer&apos;s certificate, its chain and the noise of its level. It is contained in the uncertainty of the sensitivity.</source>
+        <translation>U des Sprungs ist seine erweiterte Messunsicherheit mit dem Erweiterungsfaktor k derselben Zeile, für eine Überdeckungswahrscheinlichkeit von mindestens %1 %: die des Kalibrierscheins des Referenzaufnehmers, seiner Messkette und des Rauschens seines Pegels. Sie ist in der Unsicherheit der Empfindlichkeit enthalten.</translation>
+    </message>
+    <message>
+        <source>U of the step is its expanded uncertainty with the coverage factor k of the same line, for a coverage probability of at least %1 %. It follows from the uncertainties of the shock velocity, the initial pressure and temperature and the gas, and holds for an ideal shock tube. It is contained in the uncertainties of the sensitivity and of the magnitudes of the frequency response.</source>
+        <translation>U des Sprungs ist seine erweiterte Messunsicherheit mit dem Erweiterungsfaktor k derselben Zeile, für eine Überdeckungswahrscheinlichkeit von mindestens %1 %. Sie folgt aus den Unsicherheiten der Geschwindigkeit der Stoßwelle, des Anfangsdrucks, der Anfangstemperatur und des Gases und gilt für ein ideales Stoßrohr. Sie ist in den Unsicherheiten der Empfindlichkeit und der Beträge des Frequenzgangs enthalten.</translation>
+    </message>
+    <message>
+        <source>No pressure step is determined, as the laboratory chose not to evaluate the shock wave. No sensitivity in the unit of pressure can be stated.</source>
+        <translation>Kein Drucksprung ist bestimmt, da das Laboratorium die Stoßwelle nicht auswerten wollte. Es kann keine Empfindlichkeit in der Einheit des Drucks angegeben werden.</translation>
+    </message>
+    <message>
+        <source>Relative humidity</source>
+        <translation>Relative Feuchte</translation>
+    </message>
+    <message>
+        <source>Least favourable frequency</source>
+        <translation>Ungünstigste Frequenz</translation>
+    </message>
+    <message>
+        <source>No statement of conformity could be made; the section of that name has the reason.</source>
+        <translation>Eine Konformitätsaussage konnte nicht getroffen werden; der Grund steht im Abschnitt dieses Namens.</translation>
+    </message>
+    <message>
+        <source>A statement of conformity is made in a section of its own.</source>
+        <translation>Eine Konformitätsaussage wird in einem eigenen Abschnitt getroffen.</translation>
+    </message>
+    <message>
+        <source>The results are traceable to the International System of Units (SI) through the reference standards that are listed with their certificates in the section &quot;Method&quot;.</source>
+        <translation>Die Ergebnisse sind über die im Abschnitt „Verfahren“ mit ihren Kalibrierscheinen genannten Bezugsnormale auf das Internationale Einheitensystem (SI) rückgeführt.</translation>
+    </message>
+    <message>
+        <source>U = k u is the expanded uncertainty, u the complete standard uncertainty, for a coverage probability of about 95 % (GUM, JCGM 100). Its contributions are listed in the section &quot;Results in detail&quot;.</source>
+        <translation>U = k u ist die erweiterte Messunsicherheit, u die vollständige Standardunsicherheit, für eine Überdeckungswahrscheinlichkeit von etwa 95 % (GUM, JCGM 100). Ihre Beiträge stehen im Abschnitt „Ergebnisse im Einzelnen“.</translation>
+    </message>
+    <message>
+        <source>%1 trials: both agree for %2 of %3 values and rows</source>
+        <translation>%1 Versuche: Beide stimmen für %2 von %3 Werten und Zeilen überein</translation>
+    </message>
+    <message>
+        <source>%1 trials: both agree for %2 of %3 values and rows; the draws of the model agree with %4 full refits</source>
+        <translation>%1 Versuche: Beide stimmen für %2 von %3 Werten und Zeilen überein; die Ziehungen des Modells stimmen mit %4 vollständigen Neuanpassungen überein</translation>
+    </message>
+    <message>
+        <source>Comparison of GUM and Monte Carlo (JCGM 101)</source>
+        <translation>Vergleich von GUM und Monte Carlo (JCGM 101)</translation>
+    </message>
+    <message>
+        <source>Results whose interval of %1 % by Monte Carlo is not the one that U gives; it is the one to use</source>
+        <translation>Ergebnisse, deren %1-%-Intervall nach Monte Carlo nicht das ist, das U ergibt; es ist das zu verwendende</translation>
+    </message>
+    <message>
+        <source>Lower end</source>
+        <translation>Unteres Ende</translation>
+    </message>
+    <message>
+        <source>Upper end</source>
+        <translation>Oberes Ende</translation>
+    </message>
+    <message>
+        <source>%1 %; in this noise the true model would reach %2 % on average</source>
+        <translation>%1 %; bei diesem Rauschen würde das wahre Modell im Mittel %2 % erreichen</translation>
+    </message>
+    <message>
+        <source>Uncertainties marked U (k = 2) are expanded uncertainties with the coverage factor k = 2, or with the larger one printed beside them, for a coverage probability of about 95 % (GUM, JCGM 100). Those of the sensitivity contain the pressure step, the shots, the noise, gain, linearity and mounting; those of the frequency response also the end of the records, the sampling, the front and a drift; those of frequencies and times the noise and the sample clock. What was not stated counts with the usual range: gain 0.5 %, linearity and mounting 0.1 %, clock 50 ppm, a front of up to 100 ns. The budget of every value is in results.json. A value without an uncertainty beside it has none that is complete: it is no result, and has three significant digits; settings and readings are quoted with four at most, temperatures with five. Rise time, overshoot, settling time and band edges are those of the model, as far as records and model reach.</source>
+        <translation>Mit U (k = 2) bezeichnete Unsicherheiten sind erweiterte Messunsicherheiten mit dem Erweiterungsfaktor k = 2, oder mit dem größeren, der daneben steht, für eine Überdeckungswahrscheinlichkeit von etwa 95 % (GUM, JCGM 100). Die der Empfindlichkeit enthalten den Drucksprung, die Schüsse, das Rauschen, Verstärkung, Linearität und Einbau; die des Frequenzgangs außerdem das Ende der Aufzeichnungen, die Abtastung, die Front und eine Drift; die von Frequenzen und Zeiten das Rauschen und den Abtasttakt. Für nicht angegebene Größen gilt die übliche Spanne: Verstärkung 0,5 %, Linearität und Einbau 0,1 %, Takt 50 ppm, eine Front von bis zu 100 ns. Das Budget jedes Werts steht in results.json. Ein Wert ohne Unsicherheit daneben hat keine vollständige: Er ist kein Ergebnis und hat drei signifikante Stellen; Einstellungen und Ablesungen stehen mit höchstens vier, Temperaturen mit fünf. Anstiegszeit, Überschwingen, Einschwingzeit und Bandkanten sind die des Modells, soweit Aufzeichnungen und Modell reichen.</translation>
+    </message>
+    <message>
+        <source>Uncertainties marked U (k = 2) are expanded uncertainties with the coverage factor k = 2, or with the larger one printed beside them, for a coverage probability of about 95 % (GUM, JCGM 100). Those of the sensitivity contain the reference transducer&apos;s certificate, its chain and its level, the shots, the noise, gain, linearity and mounting; those of the frequency response also the noise of the reference, the end of the records, the sampling, a drift and, in the phase, the delay between the two; those of frequencies and times the noise and the sample clock. What was not stated counts with the usual range: gain of either chain 0.5 %, linearity and mounting 0.1 %, clock 50 ppm, a delay of up to 0.5 µs. The budget of every value is in results.json. A value without an uncertainty beside it has none that is complete: it is no result, and has three significant digits; settings and readings are quoted with four at most, temperatures with five. Rise time, overshoot, settling time and band edges are those of the model, as far as records and model reach.</source>
+        <translation>Mit U (k = 2) bezeichnete Unsicherheiten sind erweiterte Messunsicherheiten mit dem Erweiterungsfaktor k = 2, oder mit dem größeren, der daneben steht, für eine Überdeckungswahrscheinlichkeit von etwa 95 % (GUM, JCGM 100). Die der Empfindlichkeit enthalten den Kalibrierschein des Referenzaufnehmers, seine Messkette und seinen Pegel, die Schüsse, das Rauschen, Verstärkung, Linearität und Einbau; die des Frequenzgangs außerdem das Rauschen der Referenz, das Ende der Aufzeichnungen, die Abtastung, eine Drift und, in der Phase, die Verzögerung zwischen beiden; die von Frequenzen und Zeiten das Rauschen und den Abtasttakt. Für nicht angegebene Größen gilt die übliche Spanne: Verstärkung jeder der beiden Messketten 0,5 %, Linearität und Einbau 0,1 %, Takt 50 ppm, eine Verzögerung von bis zu 0,5 µs. Das Budget jedes Werts steht in results.json. Ein Wert ohne Unsicherheit daneben hat keine vollständige: Er ist kein Ergebnis und hat drei signifikante Stellen; Einstellungen und Ablesungen stehen mit höchstens vier, Temperaturen mit fünf. Anstiegszeit, Überschwingen, Einschwingzeit und Bandkanten sind die des Modells, soweit Aufzeichnungen und Modell reichen.</translation>
+    </message>
+    <message>
+        <source>Uncertainties marked U (k = 2) are expanded uncertainties with the coverage factor k = 2, or with the larger one printed beside them, for a coverage probability of about 95 % (GUM, JCGM 100). Those of the frequency response contain the noise of the recordings and of the level, the end of the records, the sampling, the front and a drift; those of frequencies and times the noise and the sample clock. What was not stated counts with the usual range: clock 50 ppm, a front of up to 100 ns. The budget of every value is in results.json. A value without an uncertainty beside it has none that is complete: it is no result, and has three significant digits; settings and readings are quoted with four at most, temperatures with five. Rise time, overshoot, settling time and band edges are those of the model, as far as records and model reach.</source>
+        <translation>Mit U (k = 2) bezeichnete Unsicherheiten sind erweiterte Messunsicherheiten mit dem Erweiterungsfaktor k = 2, oder mit dem größeren, der daneben steht, für eine Überdeckungswahrscheinlichkeit von etwa 95 % (GUM, JCGM 100). Die des Frequenzgangs enthalten das Rauschen der Aufzeichnungen und des Pegels, das Ende der Aufzeichnungen, die Abtastung, die Front und eine Drift; die von Frequenzen und Zeiten das Rauschen und den Abtasttakt. Für nicht angegebene Größen gilt die übliche Spanne: Takt 50 ppm, eine Front von bis zu 100 ns. Das Budget jedes Werts steht in results.json. Ein Wert ohne Unsicherheit daneben hat keine vollständige: Er ist kein Ergebnis und hat drei signifikante Stellen; Einstellungen und Ablesungen stehen mit höchstens vier, Temperaturen mit fünf. Anstiegszeit, Überschwingen, Einschwingzeit und Bandkanten sind die des Modells, soweit Aufzeichnungen und Modell reichen.</translation>
+    </message>
+    <message>
+        <source>Uncertainties marked U (k = 2) are expanded uncertainties with the coverage factor k = 2, or with the larger one printed beside them, for a coverage probability of about 95 % (GUM, JCGM 100). They contain the noise of the recordings and, of frequencies, the sample clock, which counts with 50 ppm unless it was stated. A value without an uncertainty beside it has none that is complete: it is no result, and has three significant digits; settings and readings are quoted with four at most, temperatures with five.</source>
+        <translation>Mit U (k = 2) bezeichnete Unsicherheiten sind erweiterte Messunsicherheiten mit dem Erweiterungsfaktor k = 2, oder mit dem größeren, der daneben steht, für eine Überdeckungswahrscheinlichkeit von etwa 95 % (GUM, JCGM 100). Sie enthalten das Rauschen der Aufzeichnungen und, bei Frequenzen, den Abtasttakt, der mit 50 ppm zählt, wenn er nicht angegeben wurde. Ein Wert ohne Unsicherheit daneben hat keine vollständige: Er ist kein Ergebnis und hat drei signifikante Stellen; Einstellungen und Ablesungen stehen mit höchstens vier, Temperaturen mit fünf.</translation>
+    </message>
+    <message>
+        <source>Signal to noise is the output step over the standard deviation of the noise before it. Rise time 10 % to 90 %; settling to within 5 % of the step; a dash where the record does not show it. These are read from single records, whose noise raises overshoot and settling time; those of the sensor are the key results. Values without an uncertainty have none that is known: they have three significant digits.</source>
+        <translation>Der Rauschabstand ist der Sprung am Ausgang, bezogen auf die Standardabweichung des Rauschens davor. Anstiegszeit 10 % bis 90 %; Einschwingen auf 5 % des Sprungs; ein Strich, wo die Aufzeichnung sie nicht zeigt. Diese Werte sind aus einzelnen Aufzeichnungen abgelesen, deren Rauschen Überschwingen und Einschwingzeit erhöht; die des Aufnehmers sind die wichtigsten Ergebnisse. Werte ohne Unsicherheit haben keine, die bekannt wäre: Sie haben drei signifikante Stellen.</translation>
+    </message>
+    <message>
+        <source>%M1: %L1 from %L2 on</source>
+        <translation>%M1: %L1 ab %L2</translation>
+    </message>
+    <message>
+        <source>%M1: %L1 up to %L2</source>
+        <translation>%M1: %L1 bis %L2</translation>
+    </message>
+    <message>
+        <source>%M1: %L1 from %L2 to %L3</source>
+        <translation>%M1: %L1 von %L2 bis %L3</translation>
+    </message>
+    <message>
+        <source>%M1: certificate %V1</source>
+        <translation>%M1: Kalibrierschein %V1</translation>
+    </message>
+    <message>
+        <source>%M1: certificate %V1, which ended on %2, before the measurement</source>
+        <translation>%M1: Kalibrierschein %V1, der am %2 endete, vor der Messung</translation>
+    </message>
+    <message>
+        <source>%M1: certificate %V1, valid until %2</source>
+        <translation>%M1: Kalibrierschein %V1, gültig bis %2</translation>
+    </message>
+    <message>
+        <source>Reference standard</source>
+        <translation>Bezugsnormal</translation>
+    </message>
+    <message>
+        <source>Magnitude of the frequency response</source>
+        <translation>Betrag des Frequenzgangs</translation>
+    </message>
+    <message>
+        <source>Phase of the frequency response</source>
+        <translation>Phase des Frequenzgangs</translation>
+    </message>
+    <message>
+        <source>initial pressure</source>
+        <translation>Anfangsdruck</translation>
+    </message>
+    <message>
+        <source>initial temperature</source>
+        <translation>Anfangstemperatur</translation>
+    </message>
+    <message>
+        <source>ratio of the specific heats</source>
+        <translation>Verhältnis der spezifischen Wärmekapazitäten</translation>
+    </message>
+    <message>
+        <source>molar mass of the gas</source>
+        <translation>molare Masse des Gases</translation>
+    </message>
+    <message>
+        <source>relative humidity</source>
+        <translation>relative Feuchte</translation>
+    </message>
+    <message>
+        <source>share of carbon dioxide</source>
+        <translation>Anteil von Kohlendioxid</translation>
+    </message>
+    <message>
+        <source>shock velocity</source>
+        <translation>Geschwindigkeit der Stoßwelle</translation>
+    </message>
+    <message>
+        <source>distance along the tube</source>
+        <translation>Abstand längs des Rohrs</translation>
+    </message>
+    <message>
+        <source>time of arrival</source>
+        <translation>Ankunftszeit</translation>
+    </message>
+    <message>
+        <source>delay of a sensor</source>
+        <translation>Verzögerung eines Aufnehmers</translation>
+    </message>
+    <message>
+        <source>pressure step, as a ratio</source>
+        <translation>Drucksprung, relativ</translation>
+    </message>
+    <message>
+        <source>gain of the measuring chain</source>
+        <translation>Verstärkung der Messkette</translation>
+    </message>
+    <message>
+        <source>linearity of the measuring chain</source>
+        <translation>Linearität der Messkette</translation>
+    </message>
+    <message>
+        <source>mounting</source>
+        <translation>Einbau</translation>
+    </message>
+    <message>
+        <source>sample clock</source>
+        <translation>Abtasttakt</translation>
+    </message>
+    <message>
+        <source>gain of the reference&apos;s chain</source>
+        <translation>Verstärkung der Messkette der Referenz</translation>
     </message>
 </context>
 </TS>

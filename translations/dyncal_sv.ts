@@ -3565,11 +3565,11 @@ steget</translation>
     </message>
     <message>
         <source>Issued, not signed</source>
-        <translation>Utfärdat, inte undertecknat</translation>
+        <translation>Utfärdat, inte signerat</translation>
     </message>
     <message>
         <source>Issued, with an electronic signature</source>
-        <translation>Utfärdat, elektroniskt undertecknat</translation>
+        <translation>Utfärdat, elektroniskt signerat</translation>
     </message>
 </context>
 <context>
@@ -4551,7 +4551,7 @@ steget</translation>
     </message>
     <message>
         <source>Statements</source>
-        <translation>Utlåtanden</translation>
+        <translation>Uttalanden</translation>
     </message>
     <message>
         <source>The results relate only to the item calibrated.</source>
@@ -4563,11 +4563,11 @@ steget</translation>
     </message>
     <message>
         <source>No statement of conformity is made.</source>
-        <translation>Inget utlåtande om överensstämmelse görs.</translation>
+        <translation>Inget uttalande om överensstämmelse görs.</translation>
     </message>
     <message>
         <source>The software does not know how the measuring equipment is traceable; this draft makes no statement of metrological traceability.</source>
-        <translation>Programvaran vet inte hur mätutrustningen är spårbar; detta utkast gör inget utlåtande om metrologisk spårbarhet.</translation>
+        <translation>Programvaran vet inte hur mätutrustningen är spårbar; detta utkast gör inget uttalande om metrologisk spårbarhet.</translation>
     </message>
     <message>
         <source>Response to a pressure step; the pole of the step is removed before the realisation, so that the model describes the sensor alone.</source>
@@ -4644,10 +4644,6 @@ steget</translation>
     <message>
         <source>Ambient pressure</source>
         <translation>Omgivningstryck</translation>
-    </message>
-    <message>
-        <source>Relative humidity (ratio)</source>
-        <translation>Relativ fuktighet (kvot)</translation>
     </message>
     <message>
         <source>Pressure steps</source>
@@ -4840,10 +4836,6 @@ steget</translation>
     <message>
         <source>Fit</source>
         <translation>Anpassning</translation>
-    </message>
-    <message>
-        <source>%1 % of %2 % attainable with this noise</source>
-        <translation>%1 % av %2 % uppnåeliga med detta brus</translation>
     </message>
     <message>
         <source>Fit as in the listing (lagged)</source>
@@ -6650,10 +6642,6 @@ steget</translation>
         <translation>En del av svaret med tidskonstanten %1 kan vara givarens egen eller en drift (gasens värme, en AC-koppling): den är mindre än tio gånger långsammare än resten. Den räknas som givarens egen; som drift skulle den ändra känsligheten med %2 %. Jämför med ett skott med annat steg, eller med den statiska känsligheten.</translation>
     </message>
     <message>
-        <source>U of the step is its expanded uncertainty with the coverage factor k of the same line, for a coverage probability of %1 %. It follows from the uncertainties of the shock velocity, the initial pressure and temperature and the gas, and holds for an ideal shock tube. It is contained in the uncertainties of the sensitivity and of the magnitudes of the frequency response.</source>
-        <translation>U för steget är dess utvidgade osäkerhet med täckningsfaktorn k på samma rad, för täckningssannolikheten %1 %. Den följer av osäkerheterna för stötvågens hastighet, begynnelsetrycket, begynnelsetemperaturen och gasen och gäller för ett idealt stötrör. Den ingår i osäkerheterna för känsligheten och för frekvenssvarets belopp.</translation>
-    </message>
-    <message>
         <source>not determined (no level at the onset)</source>
         <translation>inte bestämd (ingen nivå vid stegets början)</translation>
     </message>
@@ -6771,7 +6759,7 @@ steget</translation>
     </message>
     <message>
         <source>The magnitude is relative to the level at the onset of the step.</source>
-        <translation>Beloppet är relativt nivån vid stegets start.</translation>
+        <translation>Beloppet är relativt nivån vid stegets början.</translation>
     </message>
     <message>
         <source>A free decay has no frequency response: what excited the item was not measured.</source>
@@ -6803,7 +6791,7 @@ steget</translation>
     </message>
     <message>
         <source>The normalised response N(f) is the complex ratio of the item&apos;s output to a step, relative to the level at the onset of that step; phase of output over input, lag negative, relative to the sensor&apos;s own onset.</source>
-        <translation>Det normerade svaret N(f) är det komplexa förhållandet mellan objektets utsignal och ett steg, relativt nivån vid stegets start; fas för utsignal relativt insignal, eftersläpning negativ, räknat från givarens egen start.</translation>
+        <translation>Det normerade svaret N(f) är det komplexa förhållandet mellan objektets utsignal och ett steg, relativt nivån vid stegets början; fas för utsignal relativt insignal, eftersläpning negativ, räknat från givarens egen start.</translation>
     </message>
     <message>
         <source>The item decayed freely after an excitation that was not measured. Its undamped natural frequencies and damping ratios are determined; the ratio of its output to what excited it is not.</source>
@@ -6824,10 +6812,6 @@ steget</translation>
     <message>
         <source>Signal to noise is the largest deflection over the standard deviation of the noise before it. No uncertainty is known of the deflection: it has three significant digits.</source>
         <translation>Signalbrusförhållandet är största utslaget dividerat med standardavvikelsen för bruset före det. För utslaget är ingen osäkerhet känd: det har tre värdesiffror.</translation>
-    </message>
-    <message>
-        <source>Signal to noise is the output step over the standard deviation of the noise before it. Rise time 10 % to 90 %; settling to within 5 % of the step. Values without an uncertainty have none that is known: they have three significant digits.</source>
-        <translation>Signalbrusförhållandet är utsignalens steg dividerat med standardavvikelsen för bruset före steget. Stigtid 10 % till 90 %; insvängning till inom 5 % av steget. Värden utan osäkerhet har ingen som är känd: de har tre värdesiffror.</translation>
     </message>
     <message>
         <source>One of the two ways gives no value here.</source>
@@ -7218,10 +7202,6 @@ steget</translation>
         <translation>referensens</translation>
     </message>
     <message>
-        <source>U of the step is its expanded uncertainty with the coverage factor k of the same line, for a coverage probability of %1 %: that of the reference transducer&apos;s certificate, its chain and the noise of its level. It is contained in the uncertainty of the sensitivity.</source>
-        <translation>Stegets U är dess utvidgade osäkerhet med täckningsfaktorn k på samma rad, för en täckningssannolikhet av %1 %: osäkerheten hos referensgivarens certifikat, hos dess mätkedja och bruset hos dess nivå. Den ingår i känslighetens osäkerhet.</translation>
-    </message>
-    <message>
         <source>The values without a model are ratios of the item&apos;s record to that of the reference transducer, times its sensitivity; outside the frequencies of its calibration there are none. Where what sampling or the end of the records may change exceeds both the uncertainty of the noise and 2 % of the magnitude, none is stated.</source>
         <translation>Värdena utan modell är kvoter mellan objektets och referensgivarens registrering, gånger referensgivarens känslighet; utanför frekvenserna i dess kalibrering finns inga. Där det som sampling eller registreringarnas slut kan ändra överstiger både brusets osäkerhet och 2 % av beloppet anges inget.</translation>
     </message>
@@ -7231,7 +7211,7 @@ steget</translation>
     </message>
     <message>
         <source>Certificate of the reference transducer</source>
-        <translation>Referensgivarens certifikat</translation>
+        <translation>Referensgivarens kalibreringsbevis</translation>
     </message>
     <message>
         <source>Sensitivity of the reference transducer</source>
@@ -7334,32 +7314,12 @@ steget</translation>
         <translation>Huvudresultat</translation>
     </message>
     <message>
-        <source>U = k u is the expanded uncertainty, u the complete standard uncertainty, for a level of confidence of about 95 % (GUM, JCGM 100). What it contains stands in the section &quot;Results in detail&quot;.</source>
-        <translation>U = k u är den utvidgade osäkerheten, u den fullständiga standardosäkerheten, för en konfidensnivå av ungefär 95 % (GUM, JCGM 100). Vad den innehåller står i avsnittet ”Resultat i detalj”.</translation>
-    </message>
-    <message>
         <source>Results in detail</source>
         <translation>Resultat i detalj</translation>
     </message>
     <message>
         <source>The shots do not agree: the sensitivity is stated for each level, and no mean of all shots.</source>
         <translation>Skotten stämmer inte överens: känsligheten anges för varje nivå, och inget medelvärde av alla skott.</translation>
-    </message>
-    <message>
-        <source>Uncertainties marked U (k = 2) are expanded uncertainties with the coverage factor k = 2, or with the larger one printed beside them, for a level of confidence of about 95 % (GUM, JCGM 100). Those of the sensitivity contain the pressure step, the shots, the noise, gain, linearity and mounting; those of the frequency response also the end of the records, the sampling, the front and a drift; those of frequencies and times the noise and the sample clock. What was not stated counts with the usual range: gain 0.5 %, linearity and mounting 0.1 %, clock 50 ppm, a front of up to 100 ns. The budget of every value is in results.json. A value without an uncertainty beside it has none that is complete: it is no result, and has three significant digits; settings and readings are quoted with four at most. Rise time, overshoot, settling time and band edges are those of the model, as far as records and model reach.</source>
-        <translation>Osäkerheter märkta U (k = 2) är utvidgade osäkerheter med täckningsfaktorn k = 2, eller med den större som står bredvid, för en konfidensnivå av ungefär 95 % (GUM, JCGM 100). Känslighetens innehåller tryckstegets, skottens och brusets bidrag, förstärkning, linjäritet och montering; frekvenssvarets även registreringens slut, samplingen, fronten och en drift; frekvensers och tiders brus och samplingsklocka. Det som inte har angetts räknas med det vanliga intervallet: förstärkning 0,5 %, linjäritet och montering 0,1 %, klocka 50 ppm, en front på upp till 100 ns. Varje värdes budget finns i results.json. Ett värde utan osäkerhet bredvid sig har ingen som är fullständig: det är inget resultat och har tre gällande siffror; inställningar och avläsningar anges med högst fyra. Stigtid, översläng, insvängningstid och bandgränser är modellens, så långt som registreringar och modell räcker.</translation>
-    </message>
-    <message>
-        <source>Uncertainties marked U (k = 2) are expanded uncertainties with the coverage factor k = 2, or with the larger one printed beside them, for a level of confidence of about 95 % (GUM, JCGM 100). Those of the sensitivity contain the reference transducer&apos;s certificate, its chain and its level, the shots, the noise, gain, linearity and mounting; those of the frequency response also the noise of the reference, the end of the records, the sampling, a drift and, in the phase, the delay between the two; those of frequencies and times the noise and the sample clock. What was not stated counts with the usual range: gain of either chain 0.5 %, linearity and mounting 0.1 %, clock 50 ppm, a delay of up to 0.5 µs. The budget of every value is in results.json. A value without an uncertainty beside it has none that is complete: it is no result, and has three significant digits; settings and readings are quoted with four at most. Rise time, overshoot, settling time and band edges are those of the model, as far as records and model reach.</source>
-        <translation>Osäkerheter märkta U (k = 2) är utvidgade osäkerheter med täckningsfaktorn k = 2, eller med den större som står bredvid, för en konfidensnivå av ungefär 95 % (GUM, JCGM 100). Känslighetens innehåller referensgivarens certifikat, dess mätkedja och nivå, skotten, bruset, förstärkning, linjäritet och montering; frekvenssvarets även referensens brus, registreringarnas slut, samplingen, en drift och, i fasen, fördröjningen mellan de två; frekvensers och tiders brus och samplingsklocka. Det som inte har angetts räknas med det vanliga intervallet: vardera kedjans förstärkning 0,5 %, linjäritet och montering 0,1 %, klocka 50 ppm, en fördröjning på upp till 0,5 µs. Varje värdes budget finns i results.json. Ett värde utan osäkerhet bredvid sig har ingen som är fullständig: det är inget resultat och har tre gällande siffror; inställningar och avläsningar anges med högst fyra. Stigtid, översläng, insvängningstid och bandgränser är modellens, så långt som registreringar och modell räcker.</translation>
-    </message>
-    <message>
-        <source>Uncertainties marked U (k = 2) are expanded uncertainties with the coverage factor k = 2, or with the larger one printed beside them, for a level of confidence of about 95 % (GUM, JCGM 100). Those of the frequency response contain the noise of the recordings and of the level, the end of the records, the sampling, the front and a drift; those of frequencies and times the noise and the sample clock. What was not stated counts with the usual range: clock 50 ppm, a front of up to 100 ns. The budget of every value is in results.json. A value without an uncertainty beside it has none that is complete: it is no result, and has three significant digits; settings and readings are quoted with four at most. Rise time, overshoot, settling time and band edges are those of the model, as far as records and model reach.</source>
-        <translation>Osäkerheter märkta U (k = 2) är utvidgade osäkerheter med täckningsfaktorn k = 2, eller med den större som står bredvid, för en konfidensnivå av ungefär 95 % (GUM, JCGM 100). Frekvensgångens innehåller registreringarnas och nivåns brus, registreringens slut, samplingen, fronten och en drift; frekvensers och tiders brus och samplingsklocka. Det som inte har angetts räknas med det vanliga intervallet: klocka 50 ppm, en front på upp till 100 ns. Varje värdes budget finns i results.json. Ett värde utan osäkerhet bredvid sig har ingen som är fullständig: det är inget resultat och har tre gällande siffror; inställningar och avläsningar anges med högst fyra. Stigtid, översläng, insvängningstid och bandgränser är modellens, så långt som registreringar och modell räcker.</translation>
-    </message>
-    <message>
-        <source>Uncertainties marked U (k = 2) are expanded uncertainties with the coverage factor k = 2, or with the larger one printed beside them, for a level of confidence of about 95 % (GUM, JCGM 100). They contain the noise of the recordings and, of frequencies, the sample clock, which counts with 50 ppm unless it was stated. A value without an uncertainty beside it has none that is complete: it is no result, and has three significant digits; settings and readings are quoted with four at most.</source>
-        <translation>Osäkerheter märkta U (k = 2) är utvidgade osäkerheter med täckningsfaktorn k = 2, eller med den större som står bredvid, för en konfidensnivå av ungefär 95 % (GUM, JCGM 100). De innehåller registreringarnas brus och, för frekvenser, samplingsklockan, som räknas med 50 ppm om den inte har angetts. Ett värde utan osäkerhet bredvid sig har ingen som är fullständig: det är inget resultat och har tre gällande siffror; inställningar och avläsningar anges med högst fyra.</translation>
     </message>
     <message>
         <source>Value</source>
@@ -7415,11 +7375,11 @@ steget</translation>
     </message>
     <message>
         <source>Statement of conformity</source>
-        <translation>Utlåtande om överensstämmelse</translation>
+        <translation>Uttalande om överensstämmelse</translation>
     </message>
     <message>
         <source>Claim</source>
-        <translation>Påstående</translation>
+        <translation>Krav</translation>
     </message>
     <message>
         <source>Decision rule</source>
@@ -7462,10 +7422,6 @@ steget</translation>
         <translation>Utöver de begärda frekvenserna har tabellen alltid bandets gränser och, där de ligger mellan dessa, huvudresultatens bandgränser och resonans. Det som står på dessa rader är beräknat vid exakt dessa frekvenser, som på alla andra.</translation>
     </message>
     <message>
-        <source>A statement of conformity is made; it has a section.</source>
-        <translation>Ett utlåtande om överensstämmelse görs; det har ett eget avsnitt.</translation>
-    </message>
-    <message>
         <source>Magnitude at the resonance, from the records</source>
         <translation>Belopp vid resonansen, ur registreringarna</translation>
     </message>
@@ -7475,19 +7431,19 @@ steget</translation>
     </message>
     <message>
         <source>no statement: the response was measured from %1 to %2 only</source>
-        <translation>inget utlåtande: svaret mättes endast från %1 till %2</translation>
+        <translation>inget uttalande: svaret mättes endast från %1 till %2</translation>
     </message>
     <message>
         <source>no statement: at %1 no value with a complete uncertainty is stated</source>
-        <translation>inget utlåtande: vid %1 anges inget värde med fullständig osäkerhet</translation>
+        <translation>inget uttalande: vid %1 anges inget värde med fullständig osäkerhet</translation>
     </message>
     <message>
         <source>no statement: between %1 and %2 the response has no value; a third of an octave is the widest step</source>
-        <translation>inget utlåtande: mellan %1 och %2 har svaret inget värde; en tredjedels oktav är det längsta steget</translation>
+        <translation>inget uttalande: mellan %1 och %2 har svaret inget värde; en tredjedels oktav är det längsta steget</translation>
     </message>
     <message>
         <source>no statement: no response over frequency, or its level at low frequency, is known</source>
-        <translation>inget utlåtande: inget svar över frekvens, eller inte dess nivå vid låg frekvens, är känt</translation>
+        <translation>inget uttalande: inget svar över frekvens, eller inte dess nivå vid låg frekvens, är känt</translation>
     </message>
     <message>
         <source>the magnitude of the response lies within ±%1 % of its value at low frequency, from %2 to %3</source>
@@ -7519,23 +7475,7 @@ steget</translation>
     </message>
     <message>
         <source>divided out of S(f), certificate %V1, file with SHA-256 %V2; poles and what follows from them are of sensor and chain together</source>
-        <translation>borträknat ur S(f), certifikat %V1, fil med SHA-256 %V2; poler och det som följer av dem gäller givare och kedja tillsammans</translation>
-    </message>
-    <message>
-        <source>%V1: certificate %V2</source>
-        <translation>%V1: certifikat %V2</translation>
-    </message>
-    <message>
-        <source>%V1: certificate %V2, which ended on %3, before the measurement</source>
-        <translation>%V1: certifikat %V2, som gick ut %3, före mätningen</translation>
-    </message>
-    <message>
-        <source>%V1: certificate %V2, valid until %3</source>
-        <translation>%V1: certifikat %V2, giltigt till och med %3</translation>
-    </message>
-    <message>
-        <source>Reference of the budget</source>
-        <translation>Budgetens referens</translation>
+        <translation>borträknat ur S(f), kalibreringsbevis %V1, fil med SHA-256 %V2; poler och det som följer av dem gäller givare och kedja tillsammans</translation>
     </message>
     <message>
         <source>The response taken from the data is withheld at %1 of %2 frequencies, from %3 to %4: the response of the chain (chain.source) is not stated there, and nothing is extrapolated.</source>
@@ -7567,7 +7507,7 @@ steget</translation>
     </message>
     <message>
         <source>no statement: every judged row is accepted, but between them, at %1, the model deviates by %2 %; ask for rows there (response.frequencies)</source>
-        <translation>inget utlåtande: varje bedömd rad godtas, men mellan dem, vid %1, avviker modellen med %2 %; begär rader där (response.frequencies)</translation>
+        <translation>inget uttalande: varje bedömd rad godtas, men mellan dem, vid %1, avviker modellen med %2 %; begär rader där (response.frequencies)</translation>
     </message>
     <message>
         <source>The profile %1 needs &quot;%2&quot; as a text that is not empty; a certificate says by name and version which profile was used.</source>
@@ -8698,18 +8638,6 @@ steget</translation>
         <translation>En kontroll stämmer där funnet och väntat inte skiljer sig mer än toleransen. Det sista talet är hur långt resultatet flyttar sig när alla data ändras med en del på 10^12: avrundning flyttar det mindre än en tusendel av det.</translation>
     </message>
     <message>
-        <source>%1 trials: %2 of %3 values and rows</source>
-        <translation>%1 försök: %2 av %3 värden och rader</translation>
-    </message>
-    <message>
-        <source>%1 trials: %2 of %3 values and rows; the draws of the model agree with %4 full refits</source>
-        <translation>%1 försök: %2 av %3 värden och rader; modellens dragningar stämmer med %4 fullständiga nyanpassningar</translation>
-    </message>
-    <message>
-        <source>GUM validated by Monte Carlo (JCGM 101)</source>
-        <translation>GUM validerad med Monte Carlo (JCGM 101)</translation>
-    </message>
-    <message>
         <source>%1: Monte Carlo gives U = %2, the law of propagation only %3: use Monte Carlo. The law gives too little for %4 of %5 values and rows; their intervals by Monte Carlo are in monte_carlo of results.json.</source>
         <translation>%1: Monte Carlo ger U = %2, fortplantningslagen bara %3: använd Monte Carlo. Lagen ger för lite för %4 av %5 värden och rader; deras intervall enligt Monte Carlo står i monte_carlo i results.json.</translation>
     </message>
@@ -8851,11 +8779,11 @@ steget</translation>
     </message>
     <message>
         <source>issued, not signed</source>
-        <translation>utfärdat, inte undertecknat</translation>
+        <translation>utfärdat, inte signerat</translation>
     </message>
     <message>
         <source>issued as an amendment, not signed</source>
-        <translation>utfärdat som ändring, inte undertecknat</translation>
+        <translation>utfärdat som ändring, inte signerat</translation>
     </message>
     <message>
         <source>Audit trail before issuing (SHA-256)</source>
@@ -8868,10 +8796,6 @@ steget</translation>
     <message>
         <source>dyncal verify holds this page, the files beside it and the laboratory&apos;s registry against each other.</source>
         <translation>dyncal verify jämför denna sida, filerna bredvid den och laboratoriets register med varandra.</translation>
-    </message>
-    <message>
-        <source>The references that the results are traceable by stand with their certificates in the section &quot;Method&quot;.</source>
-        <translation>Referenserna som resultaten är spårbara till står med sina certifikat i avsnittet &quot;Metod&quot;.</translation>
     </message>
     <message>
         <source>%1 required fields are empty or wrong: %2; fill them in (certificate.fields of the recipe).</source>
@@ -9847,11 +9771,11 @@ steget</translation>
     </message>
     <message>
         <source>issued, with an electronic signature in this file</source>
-        <translation>utfärdat, elektroniskt undertecknat i denna fil</translation>
+        <translation>utfärdat, elektroniskt signerat i denna fil</translation>
     </message>
     <message>
         <source>issued as an amendment, with an electronic signature in this file</source>
-        <translation>utfärdat som ändring, elektroniskt undertecknat i denna fil</translation>
+        <translation>utfärdat som ändring, elektroniskt signerat i denna fil</translation>
     </message>
     <message>
         <source>The signature is no detached CMS with one signer and the certificate of that signer: it was changed, or is of a kind that is not read here.</source>
@@ -10124,6 +10048,190 @@ steget</translation>
     <message>
         <source>Number of the certificate</source>
         <translation>Bevisets nummer</translation>
+    </message>
+    <message>
+        <source>U of the step is its expanded uncertainty with the coverage factor k of the same line, for a coverage probability of at least %1 %: that of the reference transducer&apos;s certificate, its chain and the noise of its level. It is contained in the uncertainty of the sensitivity.</source>
+        <translation>Stegets U är dess utvidgade osäkerhet med täckningsfaktorn k på samma rad, för en täckningssannolikhet på minst %1 %: osäkerheten hos referensgivarens kalibreringsbevis, hos dess mätkedja och bruset hos dess nivå. Den ingår i känslighetens osäkerhet.</translation>
+    </message>
+    <message>
+        <source>U of the step is its expanded uncertainty with the coverage factor k of the same line, for a coverage probability of at least %1 %. It follows from the uncertainties of the shock velocity, the initial pressure and temperature and the gas, and holds for an ideal shock tube. It is contained in the uncertainties of the sensitivity and of the magnitudes of the frequency response.</source>
+        <translation>U för steget är dess utvidgade osäkerhet med täckningsfaktorn k på samma rad, för en täckningssannolikhet på minst %1 %. Den följer av osäkerheterna för stötvågens hastighet, begynnelsetrycket, begynnelsetemperaturen och gasen och gäller för ett idealt stötrör. Den ingår i osäkerheterna för känsligheten och för frekvenssvarets belopp.</translation>
+    </message>
+    <message>
+        <source>No pressure step is determined, as the laboratory chose not to evaluate the shock wave. No sensitivity in the unit of pressure can be stated.</source>
+        <translation>Inget trycksteg är bestämt, eftersom laboratoriet har valt att inte utvärdera stötvågen. Ingen känslighet i tryckenhet kan anges.</translation>
+    </message>
+    <message>
+        <source>Relative humidity</source>
+        <translation>Relativ fuktighet</translation>
+    </message>
+    <message>
+        <source>Least favourable frequency</source>
+        <translation>Ogynnsammaste frekvens</translation>
+    </message>
+    <message>
+        <source>No statement of conformity could be made; the section of that name has the reason.</source>
+        <translation>Inget uttalande om överensstämmelse kunde göras; skälet står i avsnittet med den rubriken.</translation>
+    </message>
+    <message>
+        <source>A statement of conformity is made in a section of its own.</source>
+        <translation>Ett uttalande om överensstämmelse görs i ett eget avsnitt.</translation>
+    </message>
+    <message>
+        <source>The results are traceable to the International System of Units (SI) through the reference standards that are listed with their certificates in the section &quot;Method&quot;.</source>
+        <translation>Resultaten är spårbara till Internationella måttenhetssystemet (SI) genom de referenser som anges med sina kalibreringsbevis i avsnittet ”Metod”.</translation>
+    </message>
+    <message>
+        <source>U = k u is the expanded uncertainty, u the complete standard uncertainty, for a coverage probability of about 95 % (GUM, JCGM 100). Its contributions are listed in the section &quot;Results in detail&quot;.</source>
+        <translation>U = k u är den utvidgade osäkerheten, u den fullständiga standardosäkerheten, för en täckningssannolikhet på ungefär 95 % (GUM, JCGM 100). Dess bidrag står i avsnittet ”Resultat i detalj”.</translation>
+    </message>
+    <message>
+        <source>%1 trials: both agree for %2 of %3 values and rows</source>
+        <translation>%1 försök: båda stämmer överens för %2 av %3 värden och rader</translation>
+    </message>
+    <message>
+        <source>%1 trials: both agree for %2 of %3 values and rows; the draws of the model agree with %4 full refits</source>
+        <translation>%1 försök: båda stämmer överens för %2 av %3 värden och rader; modellens dragningar stämmer med %4 fullständiga nyanpassningar</translation>
+    </message>
+    <message>
+        <source>Comparison of GUM and Monte Carlo (JCGM 101)</source>
+        <translation>Jämförelse mellan GUM och Monte Carlo (JCGM 101)</translation>
+    </message>
+    <message>
+        <source>Results whose interval of %1 % by Monte Carlo is not the one that U gives; it is the one to use</source>
+        <translation>Resultat vars %1 %-intervall enligt Monte Carlo inte är det som U ger; det är det som ska användas</translation>
+    </message>
+    <message>
+        <source>Lower end</source>
+        <translation>Undre ände</translation>
+    </message>
+    <message>
+        <source>Upper end</source>
+        <translation>Övre ände</translation>
+    </message>
+    <message>
+        <source>%1 %; in this noise the true model would reach %2 % on average</source>
+        <translation>%1 %; i detta brus skulle den sanna modellen i medeltal nå %2 %</translation>
+    </message>
+    <message>
+        <source>Uncertainties marked U (k = 2) are expanded uncertainties with the coverage factor k = 2, or with the larger one printed beside them, for a coverage probability of about 95 % (GUM, JCGM 100). Those of the sensitivity contain the pressure step, the shots, the noise, gain, linearity and mounting; those of the frequency response also the end of the records, the sampling, the front and a drift; those of frequencies and times the noise and the sample clock. What was not stated counts with the usual range: gain 0.5 %, linearity and mounting 0.1 %, clock 50 ppm, a front of up to 100 ns. The budget of every value is in results.json. A value without an uncertainty beside it has none that is complete: it is no result, and has three significant digits; settings and readings are quoted with four at most, temperatures with five. Rise time, overshoot, settling time and band edges are those of the model, as far as records and model reach.</source>
+        <translation>Osäkerheter märkta U (k = 2) är utvidgade osäkerheter med täckningsfaktorn k = 2, eller med den större som står bredvid, för en täckningssannolikhet på ungefär 95 % (GUM, JCGM 100). Känslighetens innehåller tryckstegets, skottens och brusets bidrag, förstärkning, linjäritet och montering; frekvenssvarets även registreringens slut, samplingen, fronten och en drift; frekvensers och tiders brus och samplingsklocka. Det som inte har angetts räknas med det vanliga intervallet: förstärkning 0,5 %, linjäritet och montering 0,1 %, klocka 50 ppm, en front på upp till 100 ns. Varje värdes budget finns i results.json. Ett värde utan osäkerhet bredvid sig har ingen som är fullständig: det är inget resultat och har tre värdesiffror; inställningar och avläsningar anges med högst fyra, temperaturer med fem. Stigtid, översväng, insvängningstid och bandgränser är modellens, så långt som registreringar och modell räcker.</translation>
+    </message>
+    <message>
+        <source>Uncertainties marked U (k = 2) are expanded uncertainties with the coverage factor k = 2, or with the larger one printed beside them, for a coverage probability of about 95 % (GUM, JCGM 100). Those of the sensitivity contain the reference transducer&apos;s certificate, its chain and its level, the shots, the noise, gain, linearity and mounting; those of the frequency response also the noise of the reference, the end of the records, the sampling, a drift and, in the phase, the delay between the two; those of frequencies and times the noise and the sample clock. What was not stated counts with the usual range: gain of either chain 0.5 %, linearity and mounting 0.1 %, clock 50 ppm, a delay of up to 0.5 µs. The budget of every value is in results.json. A value without an uncertainty beside it has none that is complete: it is no result, and has three significant digits; settings and readings are quoted with four at most, temperatures with five. Rise time, overshoot, settling time and band edges are those of the model, as far as records and model reach.</source>
+        <translation>Osäkerheter märkta U (k = 2) är utvidgade osäkerheter med täckningsfaktorn k = 2, eller med den större som står bredvid, för en täckningssannolikhet på ungefär 95 % (GUM, JCGM 100). Känslighetens innehåller referensgivarens kalibreringsbevis, dess mätkedja och nivå, skotten, bruset, förstärkning, linjäritet och montering; frekvenssvarets även referensens brus, registreringarnas slut, samplingen, en drift och, i fasen, fördröjningen mellan de två; frekvensers och tiders brus och samplingsklocka. Det som inte har angetts räknas med det vanliga intervallet: vardera kedjans förstärkning 0,5 %, linjäritet och montering 0,1 %, klocka 50 ppm, en fördröjning på upp till 0,5 µs. Varje värdes budget finns i results.json. Ett värde utan osäkerhet bredvid sig har ingen som är fullständig: det är inget resultat och har tre värdesiffror; inställningar och avläsningar anges med högst fyra, temperaturer med fem. Stigtid, översväng, insvängningstid och bandgränser är modellens, så långt som registreringar och modell räcker.</translation>
+    </message>
+    <message>
+        <source>Uncertainties marked U (k = 2) are expanded uncertainties with the coverage factor k = 2, or with the larger one printed beside them, for a coverage probability of about 95 % (GUM, JCGM 100). Those of the frequency response contain the noise of the recordings and of the level, the end of the records, the sampling, the front and a drift; those of frequencies and times the noise and the sample clock. What was not stated counts with the usual range: clock 50 ppm, a front of up to 100 ns. The budget of every value is in results.json. A value without an uncertainty beside it has none that is complete: it is no result, and has three significant digits; settings and readings are quoted with four at most, temperatures with five. Rise time, overshoot, settling time and band edges are those of the model, as far as records and model reach.</source>
+        <translation>Osäkerheter märkta U (k = 2) är utvidgade osäkerheter med täckningsfaktorn k = 2, eller med den större som står bredvid, för en täckningssannolikhet på ungefär 95 % (GUM, JCGM 100). Frekvenssvarets innehåller registreringarnas och nivåns brus, registreringens slut, samplingen, fronten och en drift; frekvensers och tiders brus och samplingsklocka. Det som inte har angetts räknas med det vanliga intervallet: klocka 50 ppm, en front på upp till 100 ns. Varje värdes budget finns i results.json. Ett värde utan osäkerhet bredvid sig har ingen som är fullständig: det är inget resultat och har tre värdesiffror; inställningar och avläsningar anges med högst fyra, temperaturer med fem. Stigtid, översväng, insvängningstid och bandgränser är modellens, så långt som registreringar och modell räcker.</translation>
+    </message>
+    <message>
+        <source>Uncertainties marked U (k = 2) are expanded uncertainties with the coverage factor k = 2, or with the larger one printed beside them, for a coverage probability of about 95 % (GUM, JCGM 100). They contain the noise of the recordings and, of frequencies, the sample clock, which counts with 50 ppm unless it was stated. A value without an uncertainty beside it has none that is complete: it is no result, and has three significant digits; settings and readings are quoted with four at most, temperatures with five.</source>
+        <translation>Osäkerheter märkta U (k = 2) är utvidgade osäkerheter med täckningsfaktorn k = 2, eller med den större som står bredvid, för en täckningssannolikhet på ungefär 95 % (GUM, JCGM 100). De innehåller registreringarnas brus och, för frekvenser, samplingsklockan, som räknas med 50 ppm om den inte har angetts. Ett värde utan osäkerhet bredvid sig har ingen som är fullständig: det är inget resultat och har tre värdesiffror; inställningar och avläsningar anges med högst fyra, temperaturer med fem.</translation>
+    </message>
+    <message>
+        <source>Signal to noise is the output step over the standard deviation of the noise before it. Rise time 10 % to 90 %; settling to within 5 % of the step; a dash where the record does not show it. These are read from single records, whose noise raises overshoot and settling time; those of the sensor are the key results. Values without an uncertainty have none that is known: they have three significant digits.</source>
+        <translation>Signalbrusförhållandet är utsignalens steg dividerat med standardavvikelsen för bruset före steget. Stigtid 10 % till 90 %; insvängning till inom 5 % av steget; ett streck där registreringen inte visar den. Värdena är avlästa i enskilda registreringar, vars brus höjer översväng och insvängningstid; givarens egna står bland huvudresultaten. Värden utan osäkerhet har ingen som är känd: de har tre värdesiffror.</translation>
+    </message>
+    <message>
+        <source>%M1: %L1 from %L2 on</source>
+        <translation>%M1: %L1 från %L2</translation>
+    </message>
+    <message>
+        <source>%M1: %L1 up to %L2</source>
+        <translation>%M1: %L1 upp till %L2</translation>
+    </message>
+    <message>
+        <source>%M1: %L1 from %L2 to %L3</source>
+        <translation>%M1: %L1 från %L2 till %L3</translation>
+    </message>
+    <message>
+        <source>%M1: certificate %V1</source>
+        <translation>%M1: kalibreringsbevis %V1</translation>
+    </message>
+    <message>
+        <source>%M1: certificate %V1, which ended on %2, before the measurement</source>
+        <translation>%M1: kalibreringsbevis %V1, som gick ut %2, före mätningen</translation>
+    </message>
+    <message>
+        <source>%M1: certificate %V1, valid until %2</source>
+        <translation>%M1: kalibreringsbevis %V1, giltigt till och med %2</translation>
+    </message>
+    <message>
+        <source>Reference standard</source>
+        <translation>Referens</translation>
+    </message>
+    <message>
+        <source>Magnitude of the frequency response</source>
+        <translation>Frekvenssvarets belopp</translation>
+    </message>
+    <message>
+        <source>Phase of the frequency response</source>
+        <translation>Frekvenssvarets fas</translation>
+    </message>
+    <message>
+        <source>initial pressure</source>
+        <translation>begynnelsetryck</translation>
+    </message>
+    <message>
+        <source>initial temperature</source>
+        <translation>begynnelsetemperatur</translation>
+    </message>
+    <message>
+        <source>ratio of the specific heats</source>
+        <translation>kvot mellan de specifika värmekapaciteterna</translation>
+    </message>
+    <message>
+        <source>molar mass of the gas</source>
+        <translation>gasens molmassa</translation>
+    </message>
+    <message>
+        <source>relative humidity</source>
+        <translation>relativ fuktighet</translation>
+    </message>
+    <message>
+        <source>share of carbon dioxide</source>
+        <translation>andel koldioxid</translation>
+    </message>
+    <message>
+        <source>shock velocity</source>
+        <translation>stötvågens hastighet</translation>
+    </message>
+    <message>
+        <source>distance along the tube</source>
+        <translation>avstånd längs röret</translation>
+    </message>
+    <message>
+        <source>time of arrival</source>
+        <translation>ankomsttid</translation>
+    </message>
+    <message>
+        <source>delay of a sensor</source>
+        <translation>en givares fördröjning</translation>
+    </message>
+    <message>
+        <source>pressure step, as a ratio</source>
+        <translation>trycksteg, relativt</translation>
+    </message>
+    <message>
+        <source>gain of the measuring chain</source>
+        <translation>mätkedjans förstärkning</translation>
+    </message>
+    <message>
+        <source>linearity of the measuring chain</source>
+        <translation>mätkedjans linjäritet</translation>
+    </message>
+    <message>
+        <source>mounting</source>
+        <translation>montering</translation>
+    </message>
+    <message>
+        <source>sample clock</source>
+        <translation>samplingsklocka</translation>
+    </message>
+    <message>
+        <source>gain of the reference&apos;s chain</source>
+        <translation>förstärkning i referensens mätkedja</translation>
     </message>
 </context>
 <context>
@@ -11025,6 +11133,22 @@ steget</translation>
         <source>%1 could not be written: %2.</source>
         <translation>%1 kunde inte skrivas: %2.</translation>
     </message>
+    <message>
+        <source>Name</source>
+        <translation>Namn</translation>
+    </message>
+    <message>
+        <source>Quantity of the budget</source>
+        <translation>Storhet i budgeten</translation>
+    </message>
+    <message>
+        <source>Its certificate</source>
+        <translation>Dess bevis</translation>
+    </message>
+    <message>
+        <source>Due for calibration</source>
+        <translation>Kalibreras senast</translation>
+    </message>
 </context>
 <context>
     <name>dyncal::CertificatePage</name>
@@ -11039,10 +11163,6 @@ steget</translation>
     <message>
         <source>Certificate</source>
         <translation>Kalibreringsbevis</translation>
-    </message>
-    <message>
-        <source>Remarks</source>
-        <translation>Anmärkningar</translation>
     </message>
     <message>
         <source>Fill in what is not measured, then export the certificate.</source>
@@ -11853,20 +11973,12 @@ steget</translation>
         <source>%1 Found: %2.</source>
         <translation>%1 Funnet: %2.</translation>
     </message>
-    <message>
-        <source>Country of the laboratory</source>
-        <translation>Laboratoriets land</translation>
-    </message>
-    <message>
-        <source>Country of the customer</source>
-        <translation>Kundens land</translation>
-    </message>
 </context>
 <context>
     <name>dyncal::DecisionPanel</name>
     <message>
         <source>Statement of conformity</source>
-        <translation>Utlåtande om överensstämmelse</translation>
+        <translation>Uttalande om överensstämmelse</translation>
     </message>
     <message>
         <source>Decision rule</source>
@@ -11874,7 +11986,7 @@ steget</translation>
     </message>
     <message>
         <source>no statement</source>
-        <translation>inget utlåtande</translation>
+        <translation>inget uttalande</translation>
     </message>
     <message>
         <source>simple acceptance</source>
@@ -12024,6 +12136,21 @@ steget</translation>
     <message>
         <source>Writing %1</source>
         <translation>Skriver %1</translation>
+    </message>
+</context>
+<context>
+    <name>dyncal::FieldLabels</name>
+    <message>
+        <source>Country of the laboratory</source>
+        <translation>Laboratoriets land</translation>
+    </message>
+    <message>
+        <source>Country of the customer</source>
+        <translation>Kundens land</translation>
+    </message>
+    <message>
+        <source>Remarks</source>
+        <translation>Anmärkningar</translation>
     </message>
 </context>
 <context>

@@ -3,6 +3,8 @@
 
 #include "app/cli/console.h"
 
+#include "app/cli/spoken.h"
+
 #include <algorithm>
 #include <cstdio>
 #include <iostream>
@@ -58,15 +60,15 @@ int report(const Error &error)
     if (error.kind == ErrorKind::Cancelled)
         std::cerr << "Stopped on request.\n";
     else if (error.findingId.empty())
-        std::cerr << english(error.message) << '\n';
+        std::cerr << spoken(error.message) << '\n';
     else
-        std::cerr << error.findingId << ": " << english(error.message) << '\n';
+        std::cerr << error.findingId << ": " << spoken(error.message) << '\n';
     return static_cast<int>(exitCodeOf(error));
 }
 
 std::string lineOf(const Finding &finding)
 {
-    const std::string message = english(finding.message);
+    const std::string message = spoken(finding.message);
     const bool namesShot = finding.shot == 0 || message.starts_with("Shot ");
     return finding.id + " (" + severityName(finding.severity)
         + (namesShot ? "" : ", shot " + std::to_string(finding.shot)) + "): " + message;

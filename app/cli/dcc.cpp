@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "app/cli/console.h"
+#include "app/cli/spoken.h"
 #include "app/cli/verbs.h"
 
 #include "core/base/foreign_text.h"
@@ -27,7 +28,7 @@ nlohmann::json jsonOf(const DccOptions &options, const DccCheck &check)
     nlohmann::json findings = nlohmann::json::array();
     for (const DccFinding &finding : check.findings)
         findings.push_back({{"rule", finding.rule}, {"where", finding.where},
-            {"found", finding.found}, {"needed", english(finding.needed)}});
+            {"found", finding.found}, {"needed", spoken(finding.needed)}});
     return {{"schema", "dyncal-dcc-check/1"}, {"file", options.file}, {"version", check.version},
         {"number", check.number}, {"schema_checked", check.isSchemaChecked},
         {"valid", check.findings.empty()}, {"findings", findings}};
@@ -37,7 +38,7 @@ void print(const DccOptions &options, const DccCheck &check)
 {
     for (const DccFinding &finding : check.findings)
         std::cout << finding.rule << ": " << presentableInBrief(finding.where) << ": found \""
-                  << presentableInBrief(finding.found) << "\". " << english(finding.needed) << '\n';
+                  << presentableInBrief(finding.found) << "\". " << spoken(finding.needed) << '\n';
     std::cout << presentable(options.file) << ": DCC " << presentableInBrief(check.version)
               << ", number " << presentableInBrief(check.number) << ", "
               << (check.findings.empty() ? "all rules hold" : "not as it must be")

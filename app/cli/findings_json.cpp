@@ -3,6 +3,8 @@
 
 #include "app/cli/findings_json.h"
 
+#include "app/cli/spoken.h"
+
 #include <cmath>
 
 namespace dyncal {
@@ -24,7 +26,7 @@ Json findingsJson(const Findings &findings)
         list.push_back({{"id", finding.id}, {"severity", severityName(finding.severity)},
             {"shot", finding.shot > 0 ? Json(finding.shot) : Json(nullptr)},
             {"channel", finding.channel.empty() ? Json(nullptr) : Json(finding.channel)},
-            {"time_s", orNull(finding.time_s)}, {"message", english(finding.message)},
+            {"time_s", orNull(finding.time_s)}, {"message", spoken(finding.message)},
             {"value", orNull(finding.value)}, {"limit", orNull(finding.limit)}});
     return list;
 }

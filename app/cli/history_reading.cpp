@@ -5,6 +5,7 @@
 
 #include "app/base/interrupt.h"
 #include "app/cli/console.h"
+#include "app/cli/spoken.h"
 
 #include "core/history/dcc_calibration.h"
 #include "registry/certificates/certificate_register.h"
@@ -79,7 +80,7 @@ Result<ReadCalibrations> readCalibrations(const std::vector<std::string> &files)
         if (one)
             read.all.push_back(std::move(*one));
         else
-            read.unread.push_back({file, english(one.error().message)});
+            read.unread.push_back({file, spoken(one.error().message)});
         if (!one)
             report(one.error());
     }

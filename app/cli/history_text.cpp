@@ -4,6 +4,7 @@
 #include "app/cli/history_text.h"
 
 #include "app/cli/columns_text.h"
+#include "app/cli/spoken.h"
 
 #include "core/base/calendar_date.h"
 #include "core/base/foreign_text.h"
@@ -54,7 +55,7 @@ std::string remarksText(const SensorHistory &history)
     for (std::size_t i = 0; i < history.sensor.points.size(); ++i) {
         const EarlierCalibration &point = history.sensor.points[i];
         for (const Message &remark : point.remarks)
-            text += std::to_string(i + 1) + ": " + presentable(english(remark)) + '\n';
+            text += std::to_string(i + 1) + ": " + presentable(spoken(remark)) + '\n';
     }
     for (const LeftOutCalibration &one : history.sensor.leftOut)
         text += "left out " + presentable(calibrationName(one.number, one.file)) + ": "

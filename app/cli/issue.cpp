@@ -79,7 +79,8 @@ int conclude(const IssuedCertificate &issued, const Findings &cautions, bool jso
     const CertificateRecord &record = issued.record;
     reportFindings(cautions);
     // As it stands in the files: the service that sealed it said nothing of its name.
-    const std::string signer = checkFolderSignatures(issued.folder, {}).signer;
+    const std::string signer
+        = issued.isSigned ? checkFolderSignatures(issued.folder, {}).signer : std::string();
     if (json)
         std::cout << jsonText({{"number", record.number}, {"folder", issued.folder},
             {"state", certificateStateName(record.state)}, {"head", record.head},

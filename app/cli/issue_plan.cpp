@@ -6,6 +6,7 @@
 #include "app/cli/calibration.h"
 #include "app/cli/console.h"
 #include "app/cli/findings_json.h"
+#include "app/cli/spoken.h"
 
 #include "core/base/foreign_text.h"
 #include "core/base/json_text.h"
@@ -60,7 +61,7 @@ public:
             return false;
         }
         if (!answer)
-            leave(sensor, english(answer.error().message), {});
+            leave(sensor, spoken(answer.error().message), {});
         else if (!answer->issued)
             leave(sensor, reasonOf(answer->findings), answer->findings);
         else
@@ -82,7 +83,7 @@ public:
 private:
     static std::string reasonOf(const Findings &obstacles)
     {
-        const std::string first = obstacles.front().id + ": " + english(obstacles.front().message);
+        const std::string first = obstacles.front().id + ": " + spoken(obstacles.front().message);
         const std::size_t more = obstacles.size() - 1;
         return more == 0 ? first : first + " (and " + std::to_string(more) + " more)";
     }

@@ -4,6 +4,7 @@
 #include "app/cli/verified.h"
 
 #include "app/cli/findings_json.h"
+#include "app/cli/spoken.h"
 
 #include "core/base/foreign_text.h"
 
@@ -37,7 +38,7 @@ nlohmann::json jsonOf(const Verified &one)
 {
     nlohmann::json remarks = nlohmann::json::array();
     for (const Message &remark : one.remarks)
-        remarks.push_back(english(remark));
+        remarks.push_back(spoken(remark));
     nlohmann::json json{{"file", one.file}, {"kind", one.kind}, {"status", statusName(one.status)},
         {"remarks", remarks}, {"state", textOrNull(one.state)},
         {"chain",
@@ -48,14 +49,14 @@ nlohmann::json jsonOf(const Verified &one)
     json["stamped_utc"] = textOrNull(one.stampedUtc);
     json["number"] = one.number > 0 ? nlohmann::json(one.number) : nlohmann::json();
     json["first_difference"]
-        = one.firstDifference ? nlohmann::json(english(*one.firstDifference)) : nlohmann::json();
+        = one.firstDifference ? nlohmann::json(spoken(*one.firstDifference)) : nlohmann::json();
     return json;
 }
 
 std::string wordsOf(const Verified &one)
 {
     if (one.firstDifference)
-        return english(*one.firstDifference);
+        return spoken(*one.firstDifference);
     std::string words = one.number > 0 ? "certificate " + std::to_string(one.number) + ", " : "";
     words += (one.state.empty() ? "" : one.state + ", ") + statusName(one.status);
     if (!one.signer.empty())
@@ -99,7 +100,7 @@ std::string verifiedText(const std::vector<Verified> &all)
     for (const Verified &one : all) {
         text += presentable(one.file) + ": " + wordsOf(one) + '\n';
         for (const Message &remark : one.remarks)
-            text += "  " + english(remark) + '\n';
+            text += "  " + spoken(remark) + '\n';
     }
     return text;
 }

@@ -43,7 +43,7 @@ const std::map<std::string, Maker> &makers()
         {"key-results", [](C c) { return keyResultsSection(c.results, c.recipe, c.layout); }},
         {"method", [](C c) { return methodSection(c.results, c.recipe); }},
         {"conditions", [](C c) { return conditionsSection(c.results, c.recipe); }},
-        {"results", [](C c) { return resultsSection(c.results, c.recipe); }},
+        {"results", [](C c) { return resultsSection(c.results, c.recipe, c.layout); }},
         {"shots", [](C c) { return shotsSection(c.results, c.recipe); }},
         {"model", [](C c) { return modelSection(c.results, c.recipe); }},
         {"frequency-response", [](C c) { return frequencyResponseSection(c.results, c.recipe); }},
@@ -51,7 +51,7 @@ const std::map<std::string, Maker> &makers()
         {kSignatureSection, [](C) { return signatureToCome(); }},
         {"remarks", [](C c) { return remarksSection(c.results, c.recipe); }},
         {"records", [](C c) { return recordsSection(c.results, c.createdUtc); }},
-        {"statements", [](C c) { return statementsSection(c.recipe); }},
+        {"statements", [](C c) { return statementsSection(c.results, c.recipe); }},
         {"figures", [](C c) { return figuresSection(c.results, c.recipe, c.layout.figures); }},
     };
     return known;

@@ -16,15 +16,18 @@ namespace dyncal {
 
 namespace {
 
-/// Range of one recorded environmental quantity over the included shots.
-Message environmentRange(
-    const CalibrationResults &results, double Environment::*quantity, std::string_view unit)
+constexpr int kDigitsOfTemperature = 5; ///< 294.15 K: four would move 21 °C by 0.05 K
+
+/// Range of one recorded environmental quantity over the included shots; a ratio in percent.
+Message environmentRange(const CalibrationResults &results, double Environment::*quantity,
+    std::string_view unit, int digits = kDigitsOfSettings)
 {
+    const double scale = unit == "%" ? 100.0 : 1.0;
     std::optional<double> lowest;
     std::optional<double> highest;
     if (results.captures)
         for (const Shot &shot : results.captures->set.shots) {
-            const double value = shot.environment.*quantity;
+            const double value = scale * shot.environment.*quantity;
             if (!shot.included || !std::isfinite(value))
                 continue;
             lowest = std::min(lowest.value_or(value), value);
@@ -32,8 +35,8 @@ Message environmentRange(
         }
     if (!lowest)
         return {DYNCAL_TEXT("core", "not determined (not recorded)"), {}};
-    const std::string low = settingText(*lowest, unit);
-    const std::string high = settingText(*highest, unit);
+    const std::string low = settingText(*lowest, unit, digits);
+    const std::string high = settingText(*highest, unit, digits);
     return inNumbers(low == high ? low : low + " \xE2\x80\xA6 " + high);
 }
 
@@ -65,14 +68,14 @@ StepCells stepCells(const ShockConditions &shot, double coverage)
     const auto u_Pa = stepUncertainty_Pa(shot);
     if (!u_Pa)
         return cells;
-    const double k = coverageFactor(
-        shot.uncertainty->budget.dof[static_cast<Index>(StepResult::Step)], coverage);
+    const double k = printedCoverage(coverageFactor(
+        shot.uncertainty->budget.dof[static_cast<Index>(StepResult::Step)], coverage));
     const RoundedValue rounded = roundedValue(*shot.step_Pa, k * *u_Pa, "Pa");
     if (rounded.u.empty()) // u is zero or not known
         return cells;
     cells.step = inNumbers(rounded.value + " " + rounded.unit);
     cells.expanded = inNumbers(rounded.u + " " + rounded.unit);
-    cells.k = inNumbers(factorText(k));
+    cells.k = inNumbers(printedFactor(k));
     return cells;
 }
 
@@ -86,8 +89,8 @@ Message velocityCell(const ShockConditions &shot, double coverage)
     if (!u_m_s)
         return printed(velocity_m_s, "m/s", dash());
     return printedWithUncertainty(velocity_m_s, *u_m_s, "m/s",
-        coverageFactor(
-            shot.uncertainty->budget.dof[static_cast<Index>(StepResult::Velocity)], coverage));
+        printedCoverage(coverageFactor(
+            shot.uncertainty->budget.dof[static_cast<Index>(StepResult::Velocity)], coverage)));
 }
 
 Message sourceOfStep(const ShockConditions &shot, const Recipe &recipe)
@@ -109,7 +112,9 @@ std::vector<Message> conditionsRow(
         = shot.states ? std::optional(shot.states->driven) : std::nullopt;
     return {inNumbers(std::to_string(shot.shot)), levelWord(levelOf(results, shot.shot)),
         setting(driven ? driven->pressure_Pa : kUnknown, "Pa"),
-        setting(driven ? driven->temperature_K : kUnknown, "K"), velocityCell(shot, coverage),
+        inNumbers(
+            settingText(driven ? driven->temperature_K : kUnknown, "K", kDigitsOfTemperature)),
+        velocityCell(shot, coverage),
         printed(shot.states ? shot.states->mach : kUnknown, "", dash()), cells.step,
         sourceOfStep(shot, recipe), cells.expanded, cells.k, printed(shot.plateau_s, "s", dash())};
 }
@@ -151,18 +156,34 @@ void addSteps(const CalibrationResults &results, const Recipe &recipe, Certifica
     if (stepUncertain && isByTransducer)
         section.notes.push_back(
             {DYNCAL_TEXT("core",
-                 "U of the step is its expanded uncertainty with the coverage factor k of the same line, for a coverage probability of %1 %: that of the reference transducer's certificate, its chain and the noise of its level. It is contained in the uncertainty of the sensitivity."),
+                 "U of the step is its expanded uncertainty with the coverage factor k of the same line, for a coverage probability of at least %1 %: that of the reference transducer's certificate, its chain and the noise of its level. It is contained in the uncertainty of the sensitivity."),
                 {numberText(100.0 * recipe.uncertainty.coverage, 4)}});
     else if (stepUncertain)
         section.notes.push_back(
             {DYNCAL_TEXT("core",
-                 "U of the step is its expanded uncertainty with the coverage factor k of the same line, for a coverage probability of %1 %. It follows from the uncertainties of the shock velocity, the initial pressure and temperature and the gas, and holds for an ideal shock tube. It is contained in the uncertainties of the sensitivity and of the magnitudes of the frequency response."),
+                 "U of the step is its expanded uncertainty with the coverage factor k of the same line, for a coverage probability of at least %1 %. It follows from the uncertainties of the shock velocity, the initial pressure and temperature and the gas, and holds for an ideal shock tube. It is contained in the uncertainties of the sensitivity and of the magnitudes of the frequency response."),
                 {numberText(100.0 * recipe.uncertainty.coverage, 4)}});
     if (stepMissing)
         section.notes.push_back(
             {DYNCAL_TEXT("core",
                  "The pressure step is not determined for every shot: neither a step nor a shock velocity with initial pressure and temperature was given. A sensitivity in the unit of pressure cannot be stated for those shots."),
                 {}});
+}
+
+Message stepUnknown()
+{
+    return {
+        DYNCAL_TEXT("core",
+            "No pressure step is determined: neither a step nor a shock velocity with initial pressure and temperature was given. No sensitivity in the unit of pressure can be stated."),
+        {}};
+}
+
+Message stepNotWanted()
+{
+    return {
+        DYNCAL_TEXT("core",
+            "No pressure step is determined, as the laboratory chose not to evaluate the shock wave. No sensitivity in the unit of pressure can be stated."),
+        {}};
 }
 
 } // namespace
@@ -172,12 +193,13 @@ CertificateSection conditionsSection(const CalibrationResults &results, const Re
     CertificateSection section;
     section.id = "conditions";
     section.title = {DYNCAL_TEXT("core", "Conditions"), {}};
-    section.fields = {{"ambient_temperature", {DYNCAL_TEXT("core", "Ambient temperature"), {}},
-                          environmentRange(results, &Environment::ambientT_K, "K"), false},
+    section.fields = {
+        {"ambient_temperature", {DYNCAL_TEXT("core", "Ambient temperature"), {}},
+            environmentRange(results, &Environment::ambientT_K, "K", kDigitsOfTemperature), false},
         {"ambient_pressure", {DYNCAL_TEXT("core", "Ambient pressure"), {}},
             environmentRange(results, &Environment::ambientPressure_Pa, "Pa"), false},
-        {"relative_humidity", {DYNCAL_TEXT("core", "Relative humidity (ratio)"), {}},
-            environmentRange(results, &Environment::relativeHumidity, ""), false}};
+        {"relative_humidity", {DYNCAL_TEXT("core", "Relative humidity"), {}},
+            environmentRange(results, &Environment::relativeHumidity, "%"), false}};
     switch (calibrationKind(results, recipe)) {
     case CalibrationKind::ComputedStep:
     case CalibrationKind::TypedStep:
@@ -185,10 +207,7 @@ CertificateSection conditionsSection(const CalibrationResults &results, const Re
         addSteps(results, recipe, section);
         break;
     case CalibrationKind::UnknownStep:
-        section.notes.push_back(
-            {DYNCAL_TEXT("core",
-                 "No pressure step is determined: neither a step nor a shock velocity with initial pressure and temperature was given. No sensitivity in the unit of pressure can be stated."),
-                {}});
+        section.notes.push_back(recipe.shock.enabled ? stepUnknown() : stepNotWanted());
         break;
     case CalibrationKind::FreeDecay:
         break;

@@ -94,13 +94,25 @@ std::optional<CertificateSection> conformitySection(
         {"verdict", {DYNCAL_TEXT("core", "Result"), {}}, verdictText(result)}};
     if (!result.worst)
         return section;
-    section.fields.push_back(
-        {"worst", {DYNCAL_TEXT("core", "Worst frequency"), {}}, worstText(*result.worst)});
+    section.fields.push_back({"worst", {DYNCAL_TEXT("core", "Least favourable frequency"), {}},
+        worstText(*result.worst)});
     section.notes.push_back(
         {DYNCAL_TEXT("core",
              "Judged at %1 frequencies, no two neighbours farther apart than a third of an octave. The deviation is that of the response, as measured without a model, from its value at the onset of the step: what both share, as the pressure step and the gain of the chain, cancels in it and is not part of its uncertainty."),
             {std::to_string(result.rows)}});
     return section;
+}
+
+Message conformityStatement(const CalibrationResults &results, const Recipe &recipe)
+{
+    if (!recipe.certificate.decision)
+        return {DYNCAL_TEXT("core", "No statement of conformity is made."), {}};
+    if (judged(results, *recipe.certificate.decision).verdict == ConformityVerdict::NoStatement)
+        return {
+            DYNCAL_TEXT("core",
+                "No statement of conformity could be made; the section of that name has the reason."),
+            {}};
+    return {DYNCAL_TEXT("core", "A statement of conformity is made in a section of its own."), {}};
 }
 
 } // namespace dyncal

@@ -16,4 +16,7 @@ namespace dyncal {
 std::optional<CertificateSection> conformitySection(
     const CalibrationResults &results, const Recipe &recipe);
 
+/// Whether a statement of conformity is made, as one sentence.
+Message conformityStatement(const CalibrationResults &results, const Recipe &recipe);
+
 } // namespace dyncal

@@ -193,7 +193,7 @@ CertificateSection recordsSection(const CalibrationResults &results, const std::
     return section;
 }
 
-CertificateSection statementsSection(const Recipe &recipe)
+CertificateSection statementsSection(const CalibrationResults &results, const Recipe &recipe)
 {
     CertificateSection section;
     section.id = "statements";
@@ -203,10 +203,7 @@ CertificateSection statementsSection(const Recipe &recipe)
         {DYNCAL_TEXT("core",
              "This document shall not be reproduced except in full without the written approval of the laboratory."),
             {}},
-        recipe.certificate.decision
-            ? Message{DYNCAL_TEXT("core", "A statement of conformity is made; it has a section."),
-                {}}
-            : Message{DYNCAL_TEXT("core", "No statement of conformity is made."), {}},
+        conformityStatement(results, recipe),
         {DYNCAL_TEXT("core",
              "The software does not know how the measuring equipment is traceable; this draft makes no statement of metrological traceability."),
             {}}};

@@ -16,6 +16,6 @@ CertificateSection administrativeSection(const Recipe &recipe);
 CertificateSection itemSection(const CalibrationResults &results, const Recipe &recipe);
 CertificateSection remarksSection(const CalibrationResults &results, const Recipe &recipe);
 CertificateSection recordsSection(const CalibrationResults &results, const std::string &createdUtc);
-CertificateSection statementsSection(const Recipe &recipe);
+CertificateSection statementsSection(const CalibrationResults &results, const Recipe &recipe);
 
 } // namespace dyncal

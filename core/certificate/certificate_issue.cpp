@@ -56,7 +56,7 @@ void stateTraceability(CertificateData &data)
     if (statements != data.sections.end() && !statements->paragraphs.empty())
         statements->paragraphs.back() = {
             DYNCAL_TEXT("core",
-                "The references that the results are traceable by stand with their certificates in the section \"Method\"."),
+                "The results are traceable to the International System of Units (SI) through the reference standards that are listed with their certificates in the section \"Method\"."),
             {}};
 }
 

@@ -5,13 +5,13 @@
 
 #include "core/certificate/certificate_sensitivity.h"
 #include "core/certificate/certificate_words.h"
+#include "core/certificate/quantity_words.h"
 #include "core/certificate/result_quantity.h"
 #include "core/model_analysis/stated_characteristics.h"
 #include "core/pipeline/calibration_kind.h"
 
 #include <algorithm>
 #include <cmath>
-#include <utility>
 #include <vector>
 
 namespace dyncal {
@@ -26,12 +26,12 @@ const ReportedValue *reportedOf(const CalibrationResults &results, const char *o
 }
 
 /// Value and u of the same estimate, which the report alone has together.
-ResultQuantity quantityOf(const CalibrationResults &results, const char *of, Message label)
+ResultQuantity quantityOf(const CalibrationResults &results, const char *of)
 {
     const ReportedValue *reported = reportedOf(results, of);
     if (!reported || !reported->u)
-        return {std::move(label), kUnknown, kUnknown, kUnknown, {}, whyNoResult(reported), 0.0, of};
-    return {std::move(label), reported->value, *reported->u, reported->k, reported->unit,
+        return {valueWords(of), kUnknown, kUnknown, kUnknown, {}, whyNoResult(reported), 0.0, of};
+    return {valueWords(of), reported->value, *reported->u, reported->k, reported->unit,
         whyNoResult(nullptr), reported->leastExpanded, of};
 }
 
@@ -47,26 +47,21 @@ void addResonance(const CalibrationResults &results, Quantities &quantities)
     const Message none = results.model
         ? Message{DYNCAL_TEXT("core", "not determined (the model does not oscillate)"), {}}
         : noModel();
-    const auto add = [&](const char *of, Message label) {
-        quantities.push_back(quantityOf(results, of, std::move(label)));
+    const auto add = [&](const char *of) {
+        quantities.push_back(quantityOf(results, of));
         if (!isFound)
             quantities.back().otherwise = none;
     };
-    add("f0_hz", {DYNCAL_TEXT("core", "Undamped natural frequency"), {}});
-    add("damping_ratio", {DYNCAL_TEXT("core", "Damping ratio"), {}});
+    add("f0_hz");
+    add("damping_ratio");
 }
 
 /// Quality factor and peak: only where they exist, because they follow from the damping ratio.
 void addPeak(const CalibrationResults &results, Quantities &quantities)
 {
-    const auto add = [&](const char *of, Message label) {
+    for (const char *of : {"q", "resonance_hz", "resonance_gain"})
         if (reportedOf(results, of))
-            quantities.push_back(quantityOf(results, of, std::move(label)));
-    };
-    add("q", {DYNCAL_TEXT("core", "Quality factor"), {}});
-    add("resonance_hz", {DYNCAL_TEXT("core", "Resonance frequency (largest magnitude)"), {}});
-    add("resonance_gain",
-        {DYNCAL_TEXT("core", "Magnitude at the resonance over the level at the onset"), {}});
+            quantities.push_back(quantityOf(results, of));
 }
 
 const char *unitOf(const ResponseResult &response)
@@ -104,34 +99,27 @@ void addCharacteristics(const CalibrationResults &results, Quantities &quantitie
 {
     const StatedCharacteristics found
         = results.response ? statedCharacteristics(*results.response) : StatedCharacteristics();
-    const auto add = [&](Message label, const StatedValue &value, const char *of) {
-        quantities.push_back(quantityOf(results, of, std::move(label)));
+    const auto add = [&](const StatedValue &value, const char *of) {
+        quantities.push_back(quantityOf(results, of));
         if (!results.response)
             quantities.back().otherwise = noModel();
         else if (!value.value)
             quantities.back().otherwise = value.words;
     };
-    add({DYNCAL_TEXT("core", "Magnitude within 5 % up to"), {}}, found.within5percent_Hz,
-        "within_5_percent_hz");
-    add({DYNCAL_TEXT("core", "Magnitude within 10 % up to"), {}}, found.within10percent_Hz,
-        "within_10_percent_hz");
-    add({DYNCAL_TEXT("core", "Magnitude above -3 dB up to"), {}}, found.minus3dB_Hz,
-        "minus_3_db_hz");
-    add({DYNCAL_TEXT("core", "Rise time, 10 % to 90 %"), {}}, found.riseTime_s, "rise_time_s");
-    add({DYNCAL_TEXT("core", "Overshoot"), {}}, found.overshoot_percent, "overshoot_percent");
-    add({DYNCAL_TEXT("core", "Settling time, within 5 %"), {}}, found.settlingTime_s,
-        "settling_time_s");
+    add(found.within5percent_Hz, "within_5_percent_hz");
+    add(found.within10percent_Hz, "within_10_percent_hz");
+    add(found.minus3dB_Hz, "minus_3_db_hz");
+    add(found.riseTime_s, "rise_time_s");
+    add(found.overshoot_percent, "overshoot_percent");
+    add(found.settlingTime_s, "settling_time_s");
 }
 
 } // namespace
 
-CertificateSection keyResultsSection(
+std::vector<ResultQuantity> keyQuantities(
     const CalibrationResults &results, const Recipe &recipe, const CertificateTemplate &layout)
 {
     const bool isStep = calibrationKind(results, recipe) != CalibrationKind::FreeDecay;
-    CertificateSection section;
-    section.id = "key-results";
-    section.title = {DYNCAL_TEXT("core", "Key results"), {}};
     Quantities quantities;
     if (isStep)
         quantities = sensitivityQuantities(results);
@@ -141,10 +129,19 @@ CertificateSection keyResultsSection(
     if (isStep)
         addCharacteristics(results, quantities);
     std::erase_if(quantities, [&](const ResultQuantity &q) { return !layout.states(q.of); });
-    addQuantityTables(quantities, section);
+    return quantities;
+}
+
+CertificateSection keyResultsSection(
+    const CalibrationResults &results, const Recipe &recipe, const CertificateTemplate &layout)
+{
+    CertificateSection section;
+    section.id = "key-results";
+    section.title = {DYNCAL_TEXT("core", "Key results"), {}};
+    addQuantityTables(keyQuantities(results, recipe, layout), section);
     section.notes.push_back(
         {DYNCAL_TEXT("core",
-             "U = k u is the expanded uncertainty, u the complete standard uncertainty, for a level of confidence of about 95 % (GUM, JCGM 100). What it contains stands in the section \"Results in detail\"."),
+             "U = k u is the expanded uncertainty, u the complete standard uncertainty, for a coverage probability of about 95 % (GUM, JCGM 100). Its contributions are listed in the section \"Results in detail\"."),
             {}});
     return section;
 }

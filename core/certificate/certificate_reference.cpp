@@ -3,7 +3,7 @@
 
 #include "core/certificate/certificate_reference.h"
 
-#include "core/base/number_text.h"
+#include "core/base/rounding.h"
 #include "core/certificate/certificate_words.h"
 
 namespace dyncal {
@@ -34,11 +34,12 @@ std::optional<Message> comparisonSentence(const CalibrationResults &results)
     if (!results.comparison || !results.comparison->againstStep)
         return std::nullopt;
     const StepAgainstTransducer &found = *results.comparison->againstStep;
+    const RoundedValue percent
+        = roundedValue(100.0 * found.difference_relative, 200.0 * found.u_relative, "%");
     return Message{
         DYNCAL_TEXT("core",
             "Check by the second way: the sensitivity against the computed pressure step less that against the reference transducer is %1 %, with an expanded uncertainty of %2 % (k = 2)."),
-        {numberText(100.0 * found.difference_relative, 2),
-            numberText(200.0 * found.u_relative, 2)}};
+        {percent.value, percent.u}};
 }
 
 } // namespace dyncal

@@ -5,6 +5,8 @@
 
 #include "core/base/constants.h"
 #include "core/base/rounding.h"
+#include "core/certificate/certificate_key_section.h"
+#include "core/certificate/certificate_monte_carlo.h"
 #include "core/certificate/certificate_nuisance.h"
 #include "core/certificate/certificate_sensitivity.h"
 #include "core/certificate/certificate_templates.h"
@@ -105,7 +107,18 @@ std::string fitText(double percent, bool diverges = false)
                                                            : fixedText(percent, 2);
 }
 
-std::vector<Message> poleRow(const Pole &pole, const PoleUncertainty &with)
+/// Unit of the responses as analysed, which c0 has; "1" where they are remapped.
+std::string gainUnit(const CalibrationResults &results)
+{
+    if (!results.window || results.window->responses.empty())
+        return {};
+    const WindowedResponse &response = results.window->responses.front();
+    return response.valueScale == response.step ? "1" : response.unit;
+}
+
+/// `amplitudeUnit`: of the responses as analysed; "" where they are remapped.
+std::vector<Message> poleRow(
+    const Pole &pole, const PoleUncertainty &with, const std::string &amplitudeUnit)
 {
     const double k = printedCoverage(with.kFrequency);
     const double kDamping = printedCoverage(with.kDamping);
@@ -116,8 +129,8 @@ std::vector<Message> poleRow(const Pole &pole, const PoleUncertainty &with)
         valueCell(pole.frequency_Hz, u_Hz, "Hz", k), expandedCell(pole.frequency_Hz, u_Hz, "Hz", k),
         valueCell(pole.dampingRatio, u_zeta, "", kDamping),
         expandedCell(pole.dampingRatio, u_zeta, "", kDamping),
-        valueCell(pole.amplitude, with.u_amplitude, "", kAmplitude),
-        expandedCell(pole.amplitude, with.u_amplitude, "", kAmplitude)};
+        valueCell(pole.amplitude, with.u_amplitude, amplitudeUnit, kAmplitude),
+        expandedCell(pole.amplitude, with.u_amplitude, amplitudeUnit, kAmplitude)};
 }
 
 CertificateTable poleTable(const CalibrationResults &results)
@@ -136,24 +149,17 @@ CertificateTable poleTable(const CalibrationResults &results)
     const std::vector<Pole> &poles = polesOf(*results.model, results.assessment.get());
     const std::vector<PoleUncertainty> with
         = statedPoles(*results.model, results.assessment.get(), results.uncertainty.get());
+    const std::string unit = gainUnit(results);
     for (std::size_t i = 0; i < poles.size(); ++i)
         if (!(poles[i].z.imag() < 0.0))
-            table.rows.push_back(poleRow(poles[i], with[i]));
+            table.rows.push_back(poleRow(poles[i], with[i], unit == "1" ? "" : unit));
     return table;
-}
-
-/// Unit of the responses as analysed, which c0 has; "1" where they are remapped.
-std::string gainUnit(const CalibrationResults &results)
-{
-    if (!results.window || results.window->responses.empty())
-        return {};
-    const WindowedResponse &response = results.window->responses.front();
-    return response.valueScale == response.step ? "1" : response.unit;
 }
 
 } // namespace
 
-CertificateSection resultsSection(const CalibrationResults &results, const Recipe &recipe)
+CertificateSection resultsSection(
+    const CalibrationResults &results, const Recipe &recipe, const CertificateTemplate &layout)
 {
     const CalibrationKind kind = calibrationKind(results, recipe);
     CertificateSection section;
@@ -161,6 +167,8 @@ CertificateSection resultsSection(const CalibrationResults &results, const Recip
     section.title = {DYNCAL_TEXT("core", "Results in detail"), {}};
     if (kind != CalibrationKind::FreeDecay)
         addSensitivityDetails(results, section);
+    if (auto table = monteCarloTable(results, keyQuantities(results, recipe, layout)))
+        section.tables.push_back(std::move(*table));
     section.notes.push_back(uncertaintyNote(kind));
     return section;
 }
@@ -207,7 +215,7 @@ CertificateSection modelSection(const CalibrationResults &results, const Recipe 
                           {std::to_string(model.order)}},
             false},
         {"fit", {DYNCAL_TEXT("core", "Fit"), {}},
-            {DYNCAL_TEXT("core", "%1 % of %2 % attainable with this noise"),
+            {DYNCAL_TEXT("core", "%1 %; in this noise the true model would reach %2 % on average"),
                 {fitText(model.fit_percent, model.diverges), fitText(model.fitAttainable_percent)}},
             false}};
     if (model.fitListing_percent)

@@ -11,7 +11,8 @@ namespace dyncal {
 
 /// The results; a section without results says so. What a calibration of the kind does not
 /// determine (calibration_kind.h) has no line and no column.
-CertificateSection resultsSection(const CalibrationResults &results, const Recipe &recipe);
+CertificateSection resultsSection(const CalibrationResults &results, const Recipe &recipe,
+    const CertificateTemplate &layout = {});
 CertificateSection shotsSection(const CalibrationResults &results, const Recipe &recipe);
 CertificateSection modelSection(const CalibrationResults &results, const Recipe &recipe);
 

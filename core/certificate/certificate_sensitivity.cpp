@@ -51,9 +51,11 @@ std::vector<ResultQuantity> levelQuantities(const CalibrationResults &results)
 {
     std::vector<ResultQuantity> quantities;
     const std::vector<SensitivityMean> &levels = results.response->summary.perLevel;
-    for (std::size_t i = 0; i < levels.size(); ++i)
+    for (std::size_t i = 0; i < levels.size(); ++i) {
         quantities.push_back(sensitivityQuantity(levelLabel(levels[i].level), levels[i].value,
             levelOf(results.uncertainty.get(), i), *results.response));
+        quantities.back().drawnAs = "sensitivity.per_level[" + std::to_string(i) + "]";
+    }
     return quantities;
 }
 
@@ -140,9 +142,11 @@ Message shotSensitivityText(const CalibrationResults &results, Index shot)
         return none;
     const auto at = static_cast<std::size_t>(entry - results.response->shots.begin());
     const double u = uOfShot(results.uncertainty.get(), at);
-    return std::isfinite(u) ? printedWithUncertainty(*entry->sensitivity, u, entry->unit,
-               printedCoverage(kOfShot(results.uncertainty.get(), at)))
-                            : printed(entry->sensitivity, entry->unit, none);
+    if (!std::isfinite(u))
+        return printed(entry->sensitivity, entry->unit, none);
+    const double k = printedCoverage(kOfShot(results.uncertainty.get(), at));
+    const double least = results.uncertainty->ofShots[at].leastExpanded;
+    return printedWithUncertainty(*entry->sensitivity, printableU(u, k, least), entry->unit, k);
 }
 
 } // namespace dyncal

@@ -4,10 +4,12 @@
 #include "core/certificate/certificate_traceability.h"
 
 #include "core/base/calendar_date.h"
-#include "core/base/number_text.h"
 #include "core/base/rounding.h"
 #include "core/certificate/certificate_words.h"
+#include "core/certificate/quantity_words.h"
+#include "core/pipeline/calibration_kind.h"
 
+#include <algorithm>
 #include <string>
 
 namespace dyncal {
@@ -51,31 +53,50 @@ void addChain(const CalibrationResults &results, TraceFields &fields)
         false});
 }
 
-std::string sizeOf(const CapabilityEntry &entry)
+/// The unit that its name ends with; of sensitivity and magnitude that of the response.
+std::string unitOf(const CapabilityEntry &entry, const CalibrationResults &results)
 {
-    const bool isPhase = entry.of == "phase_rad";
-    return entry.isRelative && !isPhase ? numberText(100.0 * entry.expanded, 3) + " %"
-                                        : numberText(entry.expanded, 3) + (isPhase ? " rad" : "");
+    if (entry.of == "phase_rad")
+        return "rad";
+    if (entry.isRelative || entry.of.ends_with("_percent"))
+        return "%";
+    if (entry.of.ends_with("_hz"))
+        return "Hz";
+    if (entry.of.ends_with("_s"))
+        return "s";
+    const bool isOfResponse = entry.of == "sensitivity" || entry.of == "magnitude";
+    return isOfResponse && results.response
+        ? (results.response->unit == "1" ? "" : results.response->unit)
+        : std::string();
 }
 
-std::string bandOf(const CapabilityEntry &entry)
+std::string sizeOf(const CapabilityEntry &entry, const CalibrationResults &results)
 {
+    const bool isShare = entry.isRelative && entry.of != "phase_rad";
+    return settingText(isShare ? 100.0 * entry.expanded : entry.expanded, unitOf(entry, results));
+}
+
+Message capabilityText(const CapabilityEntry &entry, const CalibrationResults &results)
+{
+    const Message of = valueWords(entry.of);
+    const std::string size = sizeOf(entry, results), from = settingText(entry.from_Hz, "Hz");
     if (entry.from_Hz == 0.0 && !entry.to_Hz)
-        return "";
-    return " (" + settingText(entry.from_Hz, "Hz") + " ... "
-        + (entry.to_Hz ? settingText(*entry.to_Hz, "Hz") : "") + ")";
+        return {"%M1: %L1", {size}, {of}};
+    if (!entry.to_Hz)
+        return {DYNCAL_TEXT("core", "%M1: %L1 from %L2 on"), {size, from}, {of}};
+    const std::string to = settingText(*entry.to_Hz, "Hz");
+    if (entry.from_Hz == 0.0)
+        return {DYNCAL_TEXT("core", "%M1: %L1 up to %L2"), {size, to}, {of}};
+    return {DYNCAL_TEXT("core", "%M1: %L1 from %L2 to %L3"), {size, from, to}, {of}};
 }
 
-void addCapability(const Recipe &recipe, TraceFields &fields)
+void addCapability(const CalibrationResults &results, const Recipe &recipe, TraceFields &fields)
 {
-    std::string list;
     for (const CapabilityEntry &entry : recipe.uncertainty.cmc)
-        list += (list.empty() ? "" : ", ") + entry.of + " " + sizeOf(entry) + bandOf(entry);
-    if (!list.empty())
         fields.push_back({"cmc",
             {DYNCAL_TEXT("core", "Least U of the laboratory (CMC), below which none is stated"),
                 {}},
-            inNumbers(list), false});
+            capabilityText(entry, results), false});
 }
 
 /// The day of the measurement; empty where it is no day.
@@ -92,14 +113,15 @@ std::string numberOf(const BudgetEntry &entry)
 
 Message referenceText(const BudgetEntry &entry, bool isOver)
 {
+    const Message of = sourceWords(entry.quantity);
     if (entry.due.empty())
-        return {DYNCAL_TEXT("core", "%V1: certificate %V2"), {entry.quantity, numberOf(entry)}};
+        return {DYNCAL_TEXT("core", "%M1: certificate %V1"), {numberOf(entry)}, {of}};
     if (isOver)
         return {
-            DYNCAL_TEXT("core", "%V1: certificate %V2, which ended on %3, before the measurement"),
-            {entry.quantity, numberOf(entry), entry.due}};
-    return {DYNCAL_TEXT("core", "%V1: certificate %V2, valid until %3"),
-        {entry.quantity, numberOf(entry), entry.due}};
+            DYNCAL_TEXT("core", "%M1: certificate %V1, which ended on %2, before the measurement"),
+            {numberOf(entry), entry.due}, {of}};
+    return {DYNCAL_TEXT("core", "%M1: certificate %V1, valid until %2"),
+        {numberOf(entry), entry.due}, {of}};
 }
 
 bool isOver(const BudgetEntry &entry, const std::string &day)
@@ -109,16 +131,34 @@ bool isOver(const BudgetEntry &entry, const std::string &day)
 
 CertificateField referenceField(const BudgetEntry &entry, bool isOver)
 {
-    return {"reference_" + entry.quantity, {DYNCAL_TEXT("core", "Reference of the budget"), {}},
+    return {"reference_" + entry.quantity, {DYNCAL_TEXT("core", "Reference standard"), {}},
         referenceText(entry, isOver), isOver, isOver};
 }
 
-void addBudgetReferences(const Recipe &recipe, TraceFields &fields)
+/// Whether something that is stated of a free decay depends on it; there is no step, whose
+/// references a laboratory has in its profile all the same.
+bool isOfDecay(const BudgetEntry &entry, const CalibrationResults &results)
+{
+    if (!results.uncertainty)
+        return true;
+    const auto hasLine = [&](const ReportedValue &value) {
+        return std::ranges::any_of(value.lines,
+            [&](const UncertaintyLine &line) { return line.quantity == entry.quantity; });
+    };
+    return std::ranges::any_of(results.uncertainty->ofModel, hasLine)
+        || std::ranges::any_of(results.uncertainty->amplitudes, hasLine);
+}
+
+void addBudgetReferences(
+    const CalibrationResults &results, const Recipe &recipe, TraceFields &fields)
 {
     const std::string day = dayPerformed(recipe);
-    for (const BudgetEntry &entry : recipe.uncertainty.budget)
-        if (!entry.certificate.empty() || !entry.due.empty())
+    const bool isDecay = calibrationKind(results, recipe) == CalibrationKind::FreeDecay;
+    for (const BudgetEntry &entry : recipe.uncertainty.budget) {
+        const bool isUsed = !isDecay || isOfDecay(entry, results);
+        if (isUsed && (!entry.certificate.empty() || !entry.due.empty()))
             fields.push_back(referenceField(entry, isOver(entry, day)));
+    }
 }
 
 } // namespace
@@ -129,8 +169,8 @@ std::vector<CertificateField> traceabilityFields(
     TraceFields fields;
     addProfile(recipe, fields);
     addChain(results, fields);
-    addCapability(recipe, fields);
-    addBudgetReferences(recipe, fields);
+    addCapability(results, recipe, fields);
+    addBudgetReferences(results, recipe, fields);
     return fields;
 }
 

@@ -24,6 +24,7 @@ struct ResultQuantity
     Message otherwise = {}; ///< a bound, or why there is no result
     double leastExpanded = 0.0; ///< the CMC: no smaller U is printed, not by rounding either
     std::string of = {}; ///< its name in a template (templateQuantities())
+    std::string drawnAs = {}; ///< its name among the values of Monte Carlo, where that is another
 
     /// Whether value and u can both be printed; a u below what rounding leaves is none.
     bool isResult() const;

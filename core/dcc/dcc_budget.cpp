@@ -93,11 +93,9 @@ void addBudget(
 
 std::vector<XmlElement> dccBudgets(const DccSource &source)
 {
-    if (!source.results.uncertainty)
-        return {};
     XmlElement data{"dcc:data"};
-    for (const auto &[key, value] : reportedByKey(*source.results.uncertainty))
-        addBudget(source, key, *value, data);
+    for (const auto &[key, value] : dccValues(source.results))
+        addBudget(source, key, value, data);
     if (data.children.empty())
         return {};
     XmlElement result = dccResult(source.words,

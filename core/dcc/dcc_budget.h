@@ -9,7 +9,7 @@
 
 namespace dyncal {
 
-/// The budgets of the reported values (reportedByKey()) as one dcc:result, a list for each. Those
+/// The budgets of the reported values (dccValues()) as one dcc:result, a list for each. Those
 /// of single frequencies: dccRowBudgets().
 std::vector<XmlElement> dccBudgets(const DccSource &source);
 

@@ -7,6 +7,8 @@
 #include "core/dcc/dcc_quantity.h"
 #include "core/dcc/si_unit.h"
 #include "core/monte_carlo/chain_monte_carlo.h"
+#include "core/results/reported_by_key.h"
+#include "core/uncertainty/step_value.h"
 
 #include <algorithm>
 #include <cmath>
@@ -113,32 +115,31 @@ Columns *columnsOfUnit(const std::string &printed, std::vector<Columns> &all)
 
 } // namespace
 
-std::vector<std::pair<std::string, const ReportedValue *>> reportedByKey(
-    const UncertaintyReport &report)
+std::vector<std::pair<std::string, ReportedValue>> dccValues(const CalibrationResults &results)
 {
-    std::vector<std::pair<std::string, const ReportedValue *>> all;
-    const auto place
-        = [](std::size_t i) { return std::string("[").append(std::to_string(i)).append("]"); };
-    if (report.sensitivity)
-        all.emplace_back("sensitivity", &*report.sensitivity);
-    for (std::size_t i = 0; i < report.perLevel.size(); ++i)
-        all.emplace_back("sensitivity.per_level" + place(i), &report.perLevel[i]);
-    for (std::size_t i = 0; i < report.ofShots.size(); ++i)
-        all.emplace_back("shots" + place(i) + ".sensitivity", &report.ofShots[i]);
-    for (const ReportedValue &value : report.ofModel)
-        all.emplace_back(value.of, &value);
+    std::vector<std::pair<std::string, ReportedValue>> all;
+    for (const auto &[key, value] : reportedByKey(results))
+        all.emplace_back(key, *value);
+    for (std::size_t i = 0; results.shock && i < results.shock->shots.size(); ++i) {
+        const ShockConditions &shock = results.shock->shots[i];
+        for (const StepResult result : {StepResult::Velocity, StepResult::Step}) {
+            if (!shock.uncertainty)
+                continue;
+            ReportedValue value = stepValue(*shock.uncertainty, result, shock.shot);
+            std::string key = "shock[" + std::to_string(i) + "]." + value.of;
+            all.emplace_back(std::move(key), std::move(value));
+        }
+    }
     return all;
 }
 
 std::vector<XmlElement> dccReportedValues(const DccSource &source)
 {
-    if (!source.results.uncertainty)
-        return {};
     std::vector<ReportedColumns> lists;
-    for (const auto &[key, value] : reportedByKey(*source.results.uncertainty))
-        if (value->u && std::isfinite(value->value))
-            if (ReportedColumns *columns = columnsOfUnit(value->unit, lists))
-                columns->add(key, *value);
+    for (const auto &[key, value] : dccValues(source.results))
+        if (value.u && std::isfinite(value.value))
+            if (ReportedColumns *columns = columnsOfUnit(value.unit, lists))
+                columns->add(key, value);
     if (lists.empty())
         return {};
     XmlElement result = dccResult(source.words,

@@ -4,7 +4,7 @@
 #pragma once
 
 #include "core/dcc/dcc_source.h"
-#include "core/uncertainty/uncertainty_report.h"
+#include "core/uncertainty/reported_value.h"
 
 #include <string>
 #include <utility>
@@ -12,10 +12,9 @@
 
 namespace dyncal {
 
-/// Every reported value, that of single shots too, by its key in results.json ("f0_hz",
-/// "shots[0].sensitivity"). Valid as long as the report.
-std::vector<std::pair<std::string, const ReportedValue *>> reportedByKey(
-    const UncertaintyReport &report);
+/// Every value with a budget of its own, by its place in results.json: reportedByKey(), and of each
+/// shot the velocity of the shock and the step ("shock[0].step_pa").
+std::vector<std::pair<std::string, ReportedValue>> dccValues(const CalibrationResults &results);
 
 // A list has one unit, so that readers that take a list for one quantity can read it; what has a
 // unit that the D-SI does not know, or none that is known for sure, stands in no list.

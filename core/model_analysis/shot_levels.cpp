@@ -33,16 +33,17 @@ ShotSensitivity sensitivityOfShot(const WindowedResponse &response,
     shot.unit = response.unit + "/Pa";
     shot.level = response.level;
     const SeriesFit *fit = fitOfShot(model, response.shot);
-    if (!conditions || !conditions->step_Pa || !fit || model.diverges)
+    if (!fit || model.diverges)
+        return shot;
+    // The level has its noise whether anybody knows the step or not.
+    shot.uLevel_relative = std::abs(fit->u_level() / fit->level());
+    if (!conditions || !conditions->step_Pa)
         return shot;
     shot.step_Pa = conditions->step_Pa;
+    if (shot.uLevel_relative > kLargestLevelUncertainty)
+        return shot;
     shot.sensitivity
         = levelOf(*fit, response, responses) * response.valueScale / *conditions->step_Pa;
-    shot.uLevel_relative = std::abs(fit->u_level() / fit->level());
-    if (shot.uLevel_relative > kLargestLevelUncertainty) {
-        shot.sensitivity.reset();
-        return shot;
-    }
     if (const StepUncertainty *step = stepUncertainty(conditions))
         addUncertainty(step, model.draft.noise.dof, shot);
     return shot;

@@ -3,7 +3,7 @@
 
 #include "core/results/results_uncertainty_json.h"
 
-#include "core/results/pole_json.h"
+#include "core/results/reported_by_key.h"
 
 #include <string>
 
@@ -69,32 +69,6 @@ void addResponseLines(const std::string &of, const ResponseResult &response,
         addRowLines(of, response, report.rows, list);
     if (response.atMarks)
         addRowLines(of + ".marked", *response.atMarks, report.rowsAtMarks, list);
-}
-
-/// In the order of the summary's levels and of the shots.
-void addSensitivityLines(const UncertaintyReport &report, UncertaintyJson &list)
-{
-    if (report.sensitivity)
-        addLines("sensitivity", *report.sensitivity, list);
-    for (std::size_t i = 0; i < report.perLevel.size(); ++i)
-        addLines("sensitivity.per_level" + placeOf(i), report.perLevel[i], list);
-    for (std::size_t i = 0; i < report.ofShots.size(); ++i)
-        addLines("shots" + placeOf(i) + ".sensitivity", report.ofShots[i], list);
-}
-
-/// In the order of results.json; a pair has one amplitude.
-void addAmplitudeLines(const CalibrationResults &results, UncertaintyJson &list)
-{
-    const std::vector<ReportedValue> &amplitudes = results.uncertainty->amplitudes;
-    if (!results.model)
-        return;
-    const std::vector<Pole> &poles = polesOf(*results.model, results.assessment.get());
-    std::size_t listed = 0;
-    for (const std::size_t i : listedPoles(poles)) {
-        if (i < amplitudes.size() && !(poles[i].z.imag() < 0.0))
-            addLines("model.poles" + placeOf(listed) + ".amplitude", amplitudes[i], list);
-        ++listed;
-    }
 }
 
 /// Of a comparison beside the response by the step; against a transducer it is the response itself.
@@ -168,10 +142,8 @@ void addBudget(JsonRecord &root, const ResultsContext &context)
         root.missing("budget", context.whyMissing());
     } else {
         UncertaintyJson list = UncertaintyJson::array();
-        addSensitivityLines(*report, list);
-        for (const ReportedValue &one : report->ofModel)
-            addLines(one.of, one, list);
-        addAmplitudeLines(context.results(), list);
+        for (const auto &[key, value] : reportedByKey(context.results()))
+            addLines(key, *value, list);
         const ResponseResult *response = context.results().response.get();
         const bool isShort = response && response->frequency_Hz.size() <= kMostBudgetRows;
         if (isShort) {

@@ -7,8 +7,9 @@
 
 Reads certificate.pdf (pdftotext), results.json and dcc.xml (lxml) without any of Dyncal's code. Of the PDF: the
 key results and the rows of S(f) with value, U, k and unit digit by digit, and every other number before the figures as a
-word of the DCC; the rows of earlier calibrations with value, U and E_n. Of results.json: the reported values with u, k and dof,
-in lists of one unit, every row of S(f) with u, the lines of all their budgets and the intervals of Monte Carlo, within 1e-12.
+word of the DCC; the rows of earlier calibrations with value, U and E_n. Of results.json: the reported values, velocities,
+steps and amplitudes of poles with u, k and dof, in lists of one unit, every row of S(f) with u, the lines of all their budgets
+and the intervals of Monte Carlo, within 1e-12.
 Exit code 1 where one is missing.
 """
 import json
@@ -31,6 +32,7 @@ UNIT = {"": "\\one", "Hz": "\\hertz", "s": "\\second", "V/Pa": "\\volt\\pascal\\
         "A/Pa": "\\ampere\\pascal\\tothe{-1}", "1/Pa": "\\pascal\\tothe{-1}", "rad": "\\radian"}
 RESULT_OF = {"dyncal_responseBudget": "response", "dyncal_responseBudgetAtMarks": "response.marked",
              "dyncal_comparisonBudget": "comparison", "dyncal_comparisonBudgetAtMarks": "comparison.marked"}
+STEP_RESULTS = {"velocity": "velocity_m_s", "step": "step_pa"}
 # A row of the earlier calibrations: day, number, value, U, E_n.
 HISTORY = re.compile(rf"^(\d{{4}}-\d\d-\d\d)\s+(\d+|\u2013)\s+{NUMBER}{UNIT_OF}\s{{2,}}{NUMBER}{UNIT_OF}"
                      rf"(?: \(k = [\d.]+\))?\s{{2,}}(-?\d+(?:\.\d+)?|\u2013)")
@@ -137,6 +139,13 @@ def column(table, ref_type, name="valueXMLList"):
     return numbers(of_type(table, ref_type)[0], name)[0]
 
 
+def of_shocks(results):
+    """Velocity and step of each shot, by their keys."""
+    return {f"shock[{i}].{key}": {"value": shot[key], "u": shot["u_" + key], "k": shot[name + "_k"],
+                                  "dof": shot[name + "_dof"], "budget": shot[name + "_budget"], "shot": shot["shot"]}
+            for i, shot in enumerate(results["shock"] or []) for name, key in STEP_RESULTS.items()}
+
+
 def check_reported(results, root, errors):
     there = {}
     for table in (table for result in of_type(root, "dyncal_reportedValues") for table in result.iter(DCC + "list")):
@@ -147,7 +156,7 @@ def check_reported(results, root, errors):
                           zip(column(table, "dyncal_reportedValue"),
                               column(table, "dyncal_reportedValue", "valueStandardMUXMLList"),
                               column(table, "dyncal_coverageFactor"), column(table, "dyncal_degreesOfFreedom"))))
-    wanted = {row["quantity"]: row for row in results["characteristics"]}
+    wanted = {row["quantity"]: row for row in results["characteristics"]} | of_shocks(results)
     if results.get("sensitivity"):
         wanted["sensitivity"] = results["sensitivity"]
         wanted |= {f"sensitivity.per_level[{i}]": row for i, row in enumerate(results["sensitivity"]["per_level"])}
@@ -237,7 +246,14 @@ def check_budgets(results, root, errors):
             rows[f"{of}.{kind}"] = [(quantity.find(DCC + "name")[0].text, numbers(quantity, "valueXMLList")[0])
                                     for quantity in of_type(table, "dyncal_budgetContribution")]
     reported = {row["quantity"] for row in results["characteristics"] if row["u"] is not None}
+    reported |= {f"model.poles[{i}].amplitude" for i, pole in enumerate((results["model"] or {}).get("poles", []))
+                 if pole["u_amplitude"] is not None}
     found = 0
+    for of, value in of_shocks(results).items():
+        for line in value["budget"] or []:
+            found += 1
+            shot = None if line["common_to_all_shots"] else value["shot"]
+            check_line(line | {"of": of, "shot": shot}, budgets.get(of, []), errors)
     for line in results["budget"] or []:
         of, _, place = line["of"].partition("[")
         if of in rows or of.startswith(("response", "comparison")):

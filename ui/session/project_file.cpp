@@ -83,6 +83,20 @@ QJsonArray captureReferences(const ProjectState &state, const QString &folder)
     return list;
 }
 
+/// A template's file below the project's folder is named from there, so that both move together;
+/// one elsewhere, by its place.
+Recipe asWritten(Recipe recipe, const QString &folder)
+{
+    std::string &name = recipe.certificate.templateName;
+    const QString place = QString::fromStdString(name);
+    if (folder.isEmpty() || !isTemplateFile(name) || QDir::isRelativePath(place))
+        return recipe;
+    const QString relative = QDir(folder).relativeFilePath(place);
+    if (!relative.startsWith(QLatin1String("../")))
+        name = relative.toStdString();
+    return recipe;
+}
+
 /// The version as written in the file.
 std::string versionText(const QJsonValue &version)
 {
@@ -230,8 +244,8 @@ Result<Recipe> recipeOfProject(const QJsonObject &project)
 QByteArray projectBytes(
     const ProjectState &state, const QString &folder, const QJsonObject &moreKeys)
 {
-    const QJsonDocument recipe
-        = QJsonDocument::fromJson(QByteArray::fromStdString(recipeJson(state.recipe)));
+    const QJsonDocument recipe = QJsonDocument::fromJson(
+        QByteArray::fromStdString(recipeJson(asWritten(state.recipe, folder))));
     QJsonObject project = moreKeys;
     project["format"] = kFormat;
     project["version"] = kProjectVersion;

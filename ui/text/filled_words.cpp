@@ -84,15 +84,16 @@ bool isVerbatimPlace(const char *text, std::size_t argument)
 }
 
 QString filledWords(const Message &message,
-    const std::function<QString(const char *text)> &translate, QChar decimalMark)
+    const std::function<QString(const char *text)> &translate, QChar decimalMark,
+    ArgumentText length)
 {
     const auto shown = [&](const Message &sentence) {
-        return filledWords(sentence, translate, decimalMark).toStdString();
+        return filledWords(sentence, translate, decimalMark, length).toStdString();
     };
     return QString::fromStdString(withSentences(
         message, std::string("\n"), shown, [&](const std::vector<std::string> &within) {
             return fillPlaces(translate(message.text).toStdString(),
-                markedArguments(message, decimalMark), ArgumentText::Full, within);
+                markedArguments(message, decimalMark), length, within);
         }));
 }
 

@@ -14,4 +14,12 @@ QLocale numberLocale(const QString &code)
     return locale;
 }
 
+QString numberLanguage()
+{
+    for (const char *code : {"sv", "de"})
+        if (QLocale().language() == numberLocale(code).language())
+            return code;
+    return QStringLiteral("en");
+}
+
 } // namespace dyncal

@@ -12,4 +12,7 @@ namespace dyncal {
 /// back as it stands.
 QLocale numberLocale(const QString &code);
 
+/// The language whose way of writing numbers is the default now: "sv", "de", else "en".
+QString numberLanguage();
+
 } // namespace dyncal

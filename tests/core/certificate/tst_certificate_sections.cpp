@@ -272,7 +272,7 @@ void TestCertificateSections::records_inputs_areNamedWithTheirHash()
 void TestCertificateSections::statements_claimNoTraceability()
 {
     std::string text;
-    for (const Message &paragraph : statementsSection({}).paragraphs)
+    for (const Message &paragraph : statementsSection({}, {}).paragraphs)
         text += english(paragraph);
     QVERIFY(text.find("relate only to the item") != std::string::npos);
     QVERIFY(text.find("no statement of metrological traceability") != std::string::npos);

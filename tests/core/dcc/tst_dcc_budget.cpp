@@ -46,6 +46,7 @@ ReportedValue frequency()
 ExampleSource exampleOf(const UncertaintyReport &report)
 {
     ExampleSource example;
+    example.results.shock = nullptr; // its steps have budgets of their own
     example.results.uncertainty = std::make_shared<UncertaintyReport>(report);
     return example;
 }
@@ -212,6 +213,25 @@ private slots:
         QCOMPARE(readOf(exampleOf(report)).texts("//dcc:list/dcc:name/dcc:content"),
             QStringList({"sensitivity", "sensitivity.per_level[0]", "sensitivity.per_level[1]",
                 "shots[0].sensitivity", "f0_hz"}));
+    }
+
+    void everyStep_hasItsList()
+    {
+        ExampleSource example = exampleOf(UncertaintyReport());
+        ShockConditionsSet shock;
+        shock.shots.resize(2);
+        shock.shots[1].shot = 7;
+        shock.shots[1].uncertainty = uncertaintyOfTypedStep(
+            2e5, {true, {{"step_relative", 0.01, Distribution::Normal, {}}}});
+        example.results.shock = std::make_shared<ShockConditionsSet>(shock);
+        const ReadXml xml = readOf(std::move(example));
+        QCOMPARE(xml.texts("//dcc:list/dcc:name/dcc:content"), QStringList("shock[1].step_pa"));
+        QCOMPARE(xml.texts(quantityPath("dyncal_budgetSource", "/dcc:noQuantity/dcc:content")),
+            QStringList("step_relative"));
+        QCOMPARE(xml.text(quantityPath("dyncal_budgetContribution", "//si:valueXMLList")),
+            QString("2000"));
+        QCOMPARE(xml.text(quantityPath("dyncal_budgetContribution", "//si:unitXMLList")),
+            QString("\\pascal"));
     }
 
     void valueWithoutABudget_hasNoList_data()

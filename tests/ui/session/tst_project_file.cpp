@@ -59,6 +59,7 @@ private slots:
     void removedShot_staysOut();
     void recipe_everyNumber_survives();
     void fileOfTheReference_isReadBesideTheProject();
+    void templateBelowTheProject_movesWithIt();
     void recordings_areNamedRelativeToTheProject();
     void frozenProject_namesNoFolder();
     void changedRecording_isReportedAndBlocks();
@@ -114,6 +115,33 @@ void TestProjectFile::fileOfTheReference_isReadBesideTheProject()
     const Result<ProjectState> opened = openProject(path);
     QVERIFY(opened && opened->recipe.comparison.loaded);
     QCOMPARE(opened->recipe.comparison.loaded->content, std::string("abc"));
+}
+
+void TestProjectFile::templateBelowTheProject_movesWithIt()
+{
+    const auto written = [&](const QString &name) {
+        ProjectState state = m_state;
+        state.recipe.certificate.templateName = name.toStdString();
+        const QJsonObject project
+            = QJsonDocument::fromJson(projectBytes(state, m_folder.path())).object();
+        return project["recipe"]["certificate"]["template"].toString();
+    };
+    QCOMPARE(written(m_folder.filePath("layout/lab.json")), QString("layout/lab.json"));
+    QCOMPARE(written(m_folder.filePath("lab.json")), QString("lab.json"));
+    for (const char *elsewhere : {"/somewhere/lab.json", "short", "lab.json"})
+        QCOMPARE(written(elsewhere), QString(elsewhere));
+    const QString above = m_folder.path() + "-beside/lab.json";
+    QCOMPARE(written(above), above);
+
+    const QTemporaryDir other;
+    ProjectState state = m_state;
+    state.recipe.certificate.templateName = m_folder.filePath("lab.json").toStdString();
+    const QString path = m_folder.filePath("with template.dyncal");
+    QVERIFY(saveProject(path, state, projectFileHash(path)));
+    QVERIFY(QFile::copy(path, other.filePath("job.dyncal")));
+    const Result<ProjectState> opened = openProject(other.filePath("job.dyncal"));
+    QVERIFY(opened);
+    QCOMPARE(opened->recipe.certificate.templateName, other.filePath("lab.json").toStdString());
 }
 
 void TestProjectFile::example_savedAndOpened_isTheSame()

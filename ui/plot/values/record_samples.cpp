@@ -47,7 +47,7 @@ DrawnPoints RecordSamples::overview(Index columns) const
 {
     std::vector<Index> edges;
     for (Index k = 0; k < columns; ++k)
-        edges.push_back(k * (size() / columns) / grain() * grain());
+        edges.push_back(k * size() / columns / grain() * grain());
     edges.push_back(size());
     DrawnPoints drawn;
     drawn.enveloped = true;

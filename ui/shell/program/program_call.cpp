@@ -3,7 +3,10 @@
 
 #include "ui/shell/program/program_call.h"
 
+#include "ui/text/number_locale.h"
 #include "ui/text/shown_text.h"
+
+#include <QProcessEnvironment>
 
 #include <unistd.h>
 
@@ -54,6 +57,9 @@ ProgramCall::~ProgramCall()
 void ProgramCall::start(const QStringList &arguments)
 {
     m_isStopped = false;
+    QProcessEnvironment environment = QProcessEnvironment::systemEnvironment();
+    environment.insert(QStringLiteral("DYNCAL_LANGUAGE"), numberLanguage());
+    m_process.setProcessEnvironment(environment);
     m_process.start(m_program, arguments);
 }
 

@@ -37,6 +37,7 @@ public:
     ~ProgramCall() override; ///< what runs is stopped in good order and awaited
 
     void setProgram(const QString &program) { m_program = program; }
+    /// Its sentences come in the language of the window.
     void start(const QStringList &arguments);
     /// The same with a passphrase or PIN as its standard input, which it reads by `--pin-fd 0`.
     void start(const QStringList &arguments, SecretPipe secret);

@@ -7,6 +7,7 @@
 #include "ui/shell/registry/registry_caller.h"
 #include "ui/shell/registry/registry_rows.h"
 #include "ui/shell/registry/rows_view.h"
+#include "ui/stages/certificate/field_labels.h"
 #include "ui/stages/frame/prompts.h"
 #include "ui/text/shown_text.h"
 
@@ -121,6 +122,8 @@ void CardsTab::showWords()
     m_import->setToolTip(tr("Take cards from a CSV file with a column \"name\""));
     m_export->setText(tr("&Export..."));
     m_export->setToolTip(tr("Write these cards as CSV"));
+    if (m_table->columnCount() > 0)
+        showTitles();
     showButtons();
 }
 
@@ -168,12 +171,9 @@ void CardsTab::showCards()
         for (const QString &field : card["fields"].toObject().keys())
             if (!m_fields.contains(field))
                 m_fields << field;
-    QStringList titles{"name"};
-    for (const QString &field : std::as_const(m_fields))
-        titles << shownText(field);
     m_table->setRowCount(0);
-    m_table->setColumnCount(static_cast<int>(titles.size()));
-    m_table->setHorizontalHeaderLabels(titles);
+    m_table->setColumnCount(static_cast<int>(m_fields.size()) + 1);
+    showTitles();
     for (const QJsonValue card : std::as_const(m_cards))
         addRow(card["name"].toString(), card["fields"]);
     m_table->resizeColumnsToContents();
@@ -194,6 +194,27 @@ void CardsTab::addRow(const QString &name, const QJsonValue &fields)
     for (int column = 1; column < m_table->columnCount(); ++column)
         m_table->setItem(
             row, column, new QTableWidgetItem(fields[m_fields[column - 1]].toString()));
+}
+
+void CardsTab::showTitles()
+{
+    QStringList titles{tr("Name")};
+    for (const QString &field : std::as_const(m_fields))
+        titles << titleOf(field);
+    m_table->setHorizontalHeaderLabels(titles);
+}
+
+/// What the form of the certificate calls it; a field that is the laboratory's own, as it is.
+QString CardsTab::titleOf(const QString &field)
+{
+    if (field == QLatin1String("quantity"))
+        return tr("Quantity of the budget");
+    if (field == QLatin1String("certificate"))
+        return tr("Its certificate");
+    if (field == QLatin1String("due"))
+        return tr("Due for calibration");
+    const QString label = fieldLabel(field.toStdString());
+    return label.isEmpty() ? shownText(field) : label;
 }
 
 void CardsTab::addCard()

@@ -43,6 +43,8 @@ private:
     void showKind();
     void read(); ///< drops what is not kept
     void showCards();
+    void showTitles();
+    static QString titleOf(const QString &field);
     void addRow(const QString &name, const QJsonValue &fields);
     void addCard();
     void keep();
@@ -57,7 +59,7 @@ private:
     Prompts &m_prompts;
     Preferences &m_preferences;
     QJsonArray m_cards; ///< as the registry has them
-    QStringList m_fields; ///< titles of the columns behind the name
+    QStringList m_fields; ///< of the columns behind the name
     int m_shownKind = 0;
     QComboBox *m_kind;
     QLineEdit *m_text;

@@ -3,6 +3,7 @@
 
 #include "ui/shell/registry/issue_dialog.h"
 
+#include "core/dcc/dcc_country.h"
 #include "core/issue/issue_obstacles.h"
 #include "ui/session/session.h"
 #include "ui/shell/files/file_actions.h"
@@ -45,6 +46,14 @@ QPushButton *button(const char *name, QWidget *parent)
     made->setObjectName(name);
     made->setAutoDefault(false); // Return ends the typing of a field
     return made;
+}
+
+QString findingsText(const QJsonObject &said)
+{
+    QStringList lines;
+    for (const QJsonValue finding : said["findings"].toArray())
+        lines << shownText(finding["id"].toString() + ": " + finding["message"].toString());
+    return lines.join(' ');
 }
 
 /// "A certificate is issued": its number, who signed it, and where it is.
@@ -193,6 +202,8 @@ void IssueDialog::showObstacles()
     m_isFree = m_obstacles->count() == 0;
     if (m_isFree)
         m_obstacles->addItem(tr("Nothing keeps it from being issued."));
+    for (const Finding &caution : countryCautions(m_session.recipe()))
+        m_obstacles->addItem(findingLine(caution));
     m_by->setPlaceholderText(shownText(issuerOf(m_session.recipe(), given)));
     showWork();
 }
@@ -283,13 +294,10 @@ void IssueDialog::take(const ProgramAnswer &answer)
 {
     const QJsonObject said = QJsonDocument::fromJson(answer.out).object();
     if (answer.exitCode == kBlocked) {
-        QStringList reasons;
-        for (const QJsonValue finding : said["findings"].toArray())
-            reasons << shownText(finding["id"].toString() + ": " + finding["message"].toString());
-        m_outcome->setText(tr("No certificate was issued. %1").arg(reasons.join(' ')));
+        m_outcome->setText(tr("No certificate was issued. %1").arg(findingsText(said)));
         return;
     }
-    m_outcome->setText(issuedSentence(said));
+    m_outcome->setText((issuedSentence(said) + ' ' + findingsText(said)).trimmed());
     m_reason->clear();
     lookUp();
 }

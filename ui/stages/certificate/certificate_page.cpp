@@ -7,8 +7,8 @@
 #include "core/certificate/certificate_data.h"
 #include "core/dcc/iso_codes.h"
 #include "ui/stages/certificate/dcc_panel.h"
-#include "ui/stages/certificate/dcc_remarks.h"
 #include "ui/stages/certificate/decision_panel.h"
+#include "ui/stages/certificate/field_labels.h"
 #include "ui/stages/certificate/preview_panel.h"
 #include "ui/stages/certificate/template_panel.h"
 #include "ui/stages/frame/calendar_button.h"
@@ -79,16 +79,6 @@ bool isCountry(std::string_view key)
     return key.ends_with("_country");
 }
 
-/// A field as the certificate itself has it: its label, and whether it must be there.
-const CertificateField *fieldOf(const CertificateData &data, std::string_view key)
-{
-    for (const CertificateSection &section : data.sections)
-        for (const CertificateField &field : section.fields)
-            if (field.id == key)
-                return &field;
-    return nullptr;
-}
-
 } // namespace
 
 CertificatePage::CertificatePage(Session &session, CurrentUtc currentUtc)
@@ -119,13 +109,9 @@ InspectorScroll *CertificatePage::builtForm()
         forms.push_back(new QFormLayout(group));
         column->addWidget(group);
     }
-    const CertificateData empty
-        = makeCertificate({}, {}, {}); // every field that must be there is missing
     for (const FormField &field : kFields) {
-        const CertificateField *printed = fieldOf(empty, field.key);
-        const QString label = printed ? translated(printed->label)
-            : isCountry(field.key)    ? countryLabel(field.key)
-                                      : tr("Remarks");
+        const CertificateField *printed = printedField(field.key);
+        const QString label = fieldLabel(field.key);
         QWidget *edit = nullptr;
         if (field.key == std::string_view(kRemarks)) {
             m_remarks = new QPlainTextEdit(page);

@@ -5,6 +5,7 @@
 
 #include "ui/report/certificate_dcc.h"
 #include "ui/stages/certificate/dcc_remarks.h"
+#include "ui/stages/certificate/field_labels.h"
 #include "ui/stages/frame/inspector_form.h"
 #include "ui/stages/frame/status_text.h"
 #include "ui/text/core_text.h"
@@ -27,7 +28,7 @@ DccPanel::DccPanel(Session &session, InspectorForm &form, QObject *parent)
     m_note->setToolTip(tr(
         "dcc.xml says the same as the certificate, for machines; this is what its rules find missing"));
     for (const char *field : {"laboratory_country", "customer_country"}) {
-        auto *button = new WrappedButton(tr("Fill in: %1").arg(countryLabel(field)));
+        auto *button = new WrappedButton(tr("Fill in: %1").arg(fieldLabel(field)));
         button->setObjectName(QString("dccGoTo_%1").arg(field));
         button->setToolTip(tr("To its field of the form"));
         button->hide();

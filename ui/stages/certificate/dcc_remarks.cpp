@@ -3,6 +3,7 @@
 
 #include "ui/stages/certificate/dcc_remarks.h"
 
+#include "ui/stages/certificate/field_labels.h"
 #include "ui/text/core_text.h"
 #include "ui/text/shown_text.h"
 
@@ -43,7 +44,7 @@ QString sentenceOf(const DccFinding &finding, const std::string &field)
     if (finding.rule == "country" && !field.empty())
         return words(QT_TRANSLATE_NOOP("dyncal::DccRemarks",
                          "%1: none is known, and a DCC must have one. Type its two letters."))
-            .arg(countryLabel(field));
+            .arg(fieldLabel(field));
     const QString needed = translated(finding.needed);
     return finding.found.empty() ? needed
                                  : words(QT_TRANSLATE_NOOP("dyncal::DccRemarks", "%1 Found: %2."))
@@ -51,15 +52,6 @@ QString sentenceOf(const DccFinding &finding, const std::string &field)
 }
 
 } // namespace
-
-QString countryLabel(const std::string &key)
-{
-    if (key == "laboratory_country")
-        return words(QT_TRANSLATE_NOOP("dyncal::DccRemarks", "Country of the laboratory"));
-    if (key == "customer_country")
-        return words(QT_TRANSLATE_NOOP("dyncal::DccRemarks", "Country of the customer"));
-    return {};
-}
 
 std::string fieldOfFinding(const DccFinding &finding)
 {

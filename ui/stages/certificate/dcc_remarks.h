@@ -28,8 +28,4 @@ std::vector<DccRemark> dccRemarks(const DccCheck &check);
 /// Field that settles what was found there; empty: none.
 std::string fieldOfFinding(const DccFinding &finding);
 
-/// "Country of the laboratory" for "laboratory_country", which the certificate itself does not
-/// print; empty for other keys.
-QString countryLabel(const std::string &key);
-
 } // namespace dyncal

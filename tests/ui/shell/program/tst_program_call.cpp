@@ -3,6 +3,7 @@
 
 #include "tests/support/test_program.h"
 #include "ui/shell/program/program_call.h"
+#include "ui/text/number_locale.h"
 
 #include <QtTest>
 
@@ -44,6 +45,16 @@ private slots:
     {
         const ProgramAnswer answer = answerTo("echo other >&2; echo The file is none. >&2; exit 3");
         QCOMPARE(problemOf(answer), QString("The file is none."));
+    }
+
+    void sentences_comeInTheLanguageOfTheWindow()
+    {
+        const QLocale before;
+        const auto restore = qScopeGuard([&] { QLocale::setDefault(before); });
+        for (const char *code : {"sv", "de", "en"}) {
+            QLocale::setDefault(numberLocale(code));
+            QCOMPARE(answerTo("printf %s \"$DYNCAL_LANGUAGE\"").out, QByteArray(code));
+        }
     }
 
     void crash_isSaid()

@@ -163,6 +163,13 @@ void TestRegistryWindow::cards_areEditedAndSearched()
     bench.waitForRegistry();
     auto *table = bench.find<QTableWidget>("cardTable");
     QCOMPARE(table->rowCount(), 2);
+    // As the form of the certificate has them; a field of the laboratory's own is as it was named.
+    QStringList titles;
+    for (int column = 0; column < table->columnCount(); ++column)
+        titles << table->horizontalHeaderItem(column)->text();
+    QCOMPARE(titles,
+        QStringList({"Name", "Serial number", "Manufacturer", "Model", "Description and condition",
+            "note"}));
     QVERIFY(!bench.button("cardKeep")->isEnabled());
     bench.find<QLineEdit>("cardText")->setText("LINES");
     QVERIFY(table->isRowHidden(0) && !table->isRowHidden(1));

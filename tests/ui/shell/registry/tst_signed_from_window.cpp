@@ -9,6 +9,7 @@
 #include "tests/support/made_token.h"
 #include "tests/support/test_program.h"
 #include "tests/ui/shell/registry/issuing_bench.h"
+#include "tests/ui/support/in_swedish.h"
 #include "ui/shell/registry/signing_choice.h"
 
 #include <QComboBox>
@@ -118,7 +119,7 @@ private slots:
         QVERIFY2(bench.obstacles().contains("Name the file of the key that signs."),
             qPrintable(bench.obstacles().join('\n')));
         bench.type("signingKeyFile", m_keys.path("lab.all.pem"));
-        QCOMPARE(bench.obstacles(), QStringList("Nothing keeps it from being issued."));
+        QCOMPARE(bench.obstacles().first(), QString("Nothing keeps it from being issued."));
         bench.issueNow();
         QVERIFY2(bench.outcome().startsWith(
                      "Certificate 1 is issued and signed by Example Laboratory: "),
@@ -186,6 +187,33 @@ private slots:
             QCOMPARE(bench.filesWith(secret), QStringList());
             QVERIFY(!bench.outcome().contains(secret));
         }
+    }
+
+    void country_isAskedForBeforeTheNumberIsTaken()
+    {
+        Bench bench(recording()); // its addresses name none
+        QCOMPARE(bench.obstacles().first(), QString("Nothing keeps it from being issued."));
+        QCOMPARE(bench.obstacles().filter("▲ Caution CER-010").size(), 2);
+        bench.issueNow();
+        QVERIFY2(bench.outcome().contains("CER-010: The DCC names no country of the customer"),
+            qPrintable(bench.outcome()));
+    }
+
+    void refusalsOfTheCommand_areSwedishInASwedishWindow()
+    {
+        const test::InSwedish swedish;
+        Bench bench(recording());
+        bench.choose(SigningWay::KeyFile);
+        bench.type("signingKeyFile", m_keys.path("lab.p12"));
+        bench.type("signingSecret", "annat-ord-88");
+        bench.issueNow();
+        QVERIFY2(bench.outcome().startsWith("Lösenfrasen öppnar inte nyckeln i "),
+            qPrintable(bench.outcome()));
+        bench.choose(SigningWay::None);
+        bench.issueNow();
+        QVERIFY2(bench.outcome().startsWith("Bevis 1 ") && bench.outcome().contains("CER-010: DCC"),
+            qPrintable(bench.outcome()));
+        QVERIFY2(!bench.outcome().contains("names no country"), qPrintable(bench.outcome()));
     }
 
     void tokenSigns_withItsPin()
