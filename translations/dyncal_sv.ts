@@ -4791,7 +4791,7 @@ steget</translation>
     </message>
     <message>
         <source>Sample rate</source>
-        <translation>Samplings- frekvens</translation>
+        <translation>Samplings­frekvens</translation>
     </message>
     <message>
         <source>Output step</source>
@@ -4807,7 +4807,7 @@ steget</translation>
     </message>
     <message>
         <source>Settling time</source>
-        <translation>Insväng- ningstid</translation>
+        <translation>Insväng­ningstid</translation>
     </message>
     <message>
         <source>Sensitivity</source>

@@ -5,6 +5,7 @@
 
 #include "core/certificate/certificate_data.h"
 #include "core/pipeline/calibration_results.h"
+#include "core/project/certificate_template.h"
 #include "core/project/recipe.h"
 
 namespace dyncal {

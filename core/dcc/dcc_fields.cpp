@@ -65,7 +65,7 @@ constexpr std::array kFields{
     DccField{"method.cmc", "dyncal_capability"},
     DccField{"method.monte_carlo", "dyncal_monteCarlo"},
     DccField{"monte-carlo", "dyncal_monteCarloIntervals"},
-    DccField{"monte-carlo/Quantity", "dyncal_intervalOf"},
+    DccField{"monte-carlo/Quantity", "dyncal_comparedQuantity"},
     DccField{"monte-carlo/Lower end", "dyncal_lowerEnd"},
     DccField{"monte-carlo/Upper end", "dyncal_upperEnd"},
     DccField{"method.reference_channel", "dyncal_referenceChannel"},

@@ -55,7 +55,6 @@ constexpr std::array kRefTypes{
     DccRefType{"dyncal_monteCarlo", "Outcome of the second propagation by Monte Carlo"},
     DccRefType{"dyncal_monteCarloIntervals",
         "Coverage intervals by Monte Carlo that are not the ones that the expanded uncertainty gives"},
-    DccRefType{"dyncal_intervalOf", "Result that the interval is of"},
     DccRefType{"dyncal_lowerEnd", "Lower end of the coverage interval"},
     DccRefType{"dyncal_upperEnd", "Upper end of the coverage interval"},
     DccRefType{"dyncal_referenceChannel", "Channel of the reference transducer"},

@@ -306,7 +306,7 @@ constexpr std::array<Stage, kStageCount> kStages{{
         kept<&R::checks, checks>(), of<&R::checks>},
     {Assessment, "model assessment", 2, 10, "", Model, Model, true, readNothing,
         kept<&R::assessment, assessment>(), saidElsewhere},
-    {Uncertainty, "uncertainty", 5, 20, "UNC-", Response, Uncertainty, true, readUncertainty,
+    {Uncertainty, "uncertainty", 6, 20, "UNC-", Response, Uncertainty, true, readUncertainty,
         kept<&R::uncertainty, uncertainty>(), of<&R::uncertainty>},
     {Comparison, "comparison", 1, 5, "CMP-", Uncertainty, Comparison, true, readNothing,
         kept<&R::comparison, comparison>(), of<&R::comparison>},
@@ -314,7 +314,7 @@ constexpr std::array<Stage, kStageCount> kStages{{
         kept<&R::evidence, evidence>(), ofEvidence},
     {MonteCarlo, "Monte Carlo", 1, 50, "", Shock, Shock, true, readMonteCarlo,
         kept<&R::monteCarlo, monteCarlo>(), of<&R::monteCarlo>},
-    {ChainMonteCarlo, "Monte Carlo of the chain", 2, 2000, "", Uncertainty, Uncertainty, false,
+    {ChainMonteCarlo, "Monte Carlo of the chain", 3, 2000, "", Uncertainty, Uncertainty, false,
         readMonteCarlo, kept<&R::chainMonteCarlo, chainMonteCarlo>(), of<&R::chainMonteCarlo>},
 }};
 

@@ -55,7 +55,8 @@ def words_of(language):
 
 
 def as_core_writes(text, language):
-    """Numbers with a decimal point and without spaces between groups of digits."""
+    """Numbers with a decimal point and without spaces between groups of digits; blanks where lines may not end are blanks."""
+    text = text.replace("\u00a0", " ")
     if language == "en":
         return text
     grouped = re.sub("(?<=\\d)[ \u202f](?=\\d{1,3}(?!\\d))", "", text.replace("\u00ad", ""))

@@ -5,6 +5,7 @@
 
 #include "ui/plot/widget/plot_widget.h"
 #include "ui/report/document_words.h"
+#include "ui/report/kept_together.h"
 #include "ui/report/report_logo.h"
 
 #include <QCoreApplication>
@@ -113,20 +114,19 @@ public:
 
     void table(const CertificateTable &table, std::vector<FlowBlock> &blocks) const
     {
-        const std::vector<double> widths = tableWidths(table);
+        const TableTexts texts = textsOf(table);
+        const std::vector<double> widths = tableWidths(texts);
         if (!table.caption.arguments.empty() || *table.caption.text) {
             blocks.push_back(text(m_words(table.caption), m_style.body, m_style.text, 8.0));
             blocks.back().keepWithNext = true;
             blocks.back().height += 3.0;
         }
-        std::vector<Message> headings;
-        for (const CertificateColumn &column : table.columns)
-            headings.push_back(column.heading);
-        const auto header = std::make_shared<const FlowBlock>(row(table, headings, widths, true));
+        const auto header
+            = std::make_shared<const FlowBlock>(row(table, texts.headings, widths, true));
         blocks.push_back(*header);
         blocks.back().keepWithNext = true;
         for (std::size_t i = 0; i < table.rows.size(); ++i) {
-            FlowBlock block = row(table, table.rows[i], widths, false);
+            FlowBlock block = row(table, texts.rows[i], widths, false);
             block.repeatedHeader = header;
             // Neither the first nor the last row of a table stands alone on a page.
             block.keepWithNext = table.rows.size() > 2 && (i == 0 || i + 2 == table.rows.size());
@@ -155,38 +155,76 @@ public:
     }
 
 private:
-    std::vector<double> tableWidths(const CertificateTable &table) const
+    /// The words of a table, whose columns are narrow.
+    struct TableTexts
     {
-        std::vector<double> natural(table.columns.size(), 1.0);
-        std::vector<double> least(table.columns.size(), 1.0);
-        const auto include = [&](std::size_t column, const QString &words, const QFont &face) {
-            const double padding = 2.0 * kCellPadding;
-            natural[column] = std::max(
-                natural[column], FlowText::naturalWidth(words, face, m_device) + padding);
-            least[column]
-                = std::max(least[column], FlowText::longestWord(words, face, m_device) + padding);
+        QStringList headings;
+        std::vector<QStringList> rows;
+    };
+
+    /// Numbers with their units where the columns have room for it, else broken where they must.
+    TableTexts textsOf(const CertificateTable &table) const
+    {
+        const auto made = [&](const auto &shaped) {
+            TableTexts texts;
+            for (const CertificateColumn &column : table.columns)
+                texts.headings << shaped(m_words.inTable(column.heading));
+            for (const std::vector<Message> &cells : table.rows) {
+                texts.rows.emplace_back();
+                for (const Message &cell : cells)
+                    texts.rows.back() << shaped(m_words.inTable(cell));
+            }
+            return texts;
         };
-        for (std::size_t c = 0; c < table.columns.size(); ++c) {
-            const QString words = m_words.inTable(table.columns[c].heading);
-            // Headings may wrap: only their longest word counts as natural.
-            const double word
-                = FlowText::longestWord(words, m_style.tableBold, m_device) + 2.0 * kCellPadding;
-            natural[c] = std::max(natural[c], word);
-            least[c] = std::max(least[c], word);
-            for (const std::vector<Message> &cells : table.rows)
-                include(c, m_words.inTable(cells[c]), m_style.table);
-        }
-        return columnWidths(natural, least, m_width);
+        TableTexts kept = made([](const QString &words) { return keptTogether(words); });
+        const std::vector<double> least = columnsOf(kept).least;
+        const bool fits = std::accumulate(least.begin(), least.end(), 0.0) <= m_width;
+        return fits ? kept : made([](const QString &words) { return words; });
     }
 
-    FlowBlock row(const CertificateTable &table, const std::vector<Message> &cells,
+    struct ColumnSizes
+    {
+        std::vector<double> natural;
+        std::vector<double> least;
+    };
+
+    ColumnSizes columnsOf(const TableTexts &texts) const
+    {
+        constexpr double kPadding = 2.0 * kCellPadding;
+        const auto count = static_cast<std::size_t>(texts.headings.size());
+        ColumnSizes sizes{std::vector<double>(count, 1.0), std::vector<double>(count, 1.0)};
+        for (std::size_t c = 0; c < count; ++c) {
+            const auto at = static_cast<qsizetype>(c);
+            // Headings may wrap: only their longest word counts as natural.
+            const double word
+                = FlowText::longestWord(texts.headings[at], m_style.tableBold, m_device) + kPadding;
+            double &natural = sizes.natural[c], &least = sizes.least[c];
+            natural = least = std::max(1.0, word);
+            for (const QStringList &cells : texts.rows) {
+                const QString &words = cells[at];
+                natural = std::max(
+                    natural, FlowText::naturalWidth(words, m_style.table, m_device) + kPadding);
+                least = std::max(
+                    least, FlowText::longestWord(words, m_style.table, m_device) + kPadding);
+            }
+        }
+        return sizes;
+    }
+
+    std::vector<double> tableWidths(const TableTexts &texts) const
+    {
+        const ColumnSizes sizes = columnsOf(texts);
+        return columnWidths(sizes.natural, sizes.least, m_width);
+    }
+
+    FlowBlock row(const CertificateTable &table, const QStringList &cells,
         const std::vector<double> &widths, bool isHeader) const
     {
         std::vector<FlowText> texts;
         double height = 0.0;
-        for (std::size_t c = 0; c < cells.size(); ++c) {
+        for (std::size_t c = 0; c < table.columns.size(); ++c) {
             const Qt::Alignment side = table.columns[c].number ? Qt::AlignRight : Qt::AlignLeft;
-            texts.emplace_back(m_words.inTable(cells[c]),
+            texts.emplace_back(cells[static_cast<qsizetype>(c)],
                 isHeader ? m_style.tableBold : m_style.table, widths[c] - 2.0 * kCellPadding,
                 m_device, side);
             height = std::max(height, texts.back().height());

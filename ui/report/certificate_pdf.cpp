@@ -29,9 +29,9 @@ QString numberOf(const CertificateData &data)
 {
     if (!data.isCertificate)
         return {};
-    return QCoreApplication::translate("Report", "No. %1")
-        .arg(data.number.empty() ? QCoreApplication::translate("Report", "no number yet")
-                                 : shownText(data.number));
+    return data.number.empty()
+        ? QCoreApplication::translate("Report", "no number yet")
+        : QCoreApplication::translate("Report", "No. %1").arg(shownText(data.number));
 }
 
 bool isSigned(const CertificateData &data)

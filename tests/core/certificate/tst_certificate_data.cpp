@@ -132,7 +132,8 @@ void TestCertificateData::complete_example_hasEverySectionAndNumber()
     QCOMPARE(keyResult(data, kF0), std::string("2.33000 MHz | 0.00082 MHz | 2"));
     QCOMPARE(keyResult(data, "Damping ratio"), std::string("0.02000 | 0.00035 | 2"));
     QCOMPARE(value(data, "model", "order"), QString("2 (as suggested from the data)"));
-    QCOMPARE(value(data, "model", "fit"), QString("98.76 % of 98.91 % attainable with this noise"));
+    QCOMPARE(value(data, "model", "fit"),
+        QString("98.76 %; in this noise the true model would reach 98.91 % on average"));
     QCOMPARE(value(data, "item", "sensor_serial"), QString("SN-0042"));
     QCOMPARE(value(data, "conditions", "ambient_temperature"), QString("294.1 K"));
     QCOMPARE(

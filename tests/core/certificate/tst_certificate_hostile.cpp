@@ -286,7 +286,7 @@ private slots:
         const CertificateData data = scene.certificate();
         for (const CertificateField &field : data.section("conditions")->fields) {
             if (field.id == "ambient_temperature")
-                QCOMPARE(english(field.value), std::string("294.1 K"));
+                QCOMPARE(english(field.value), std::string("294.12 K"));
         }
     }
 

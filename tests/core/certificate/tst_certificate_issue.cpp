@@ -105,7 +105,9 @@ private slots:
         };
         QVERIFY(last(draft()).find("makes no statement of metrological traceability")
             != std::string::npos);
-        QVERIFY(last(issued(kIssue)).starts_with("The references that the results are traceable"));
+        QVERIFY(last(issued(kIssue))
+                    .starts_with(
+                        "The results are traceable to the International System of Units (SI)"));
     }
 };
 

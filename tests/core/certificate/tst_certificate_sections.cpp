@@ -192,8 +192,8 @@ void TestCertificateSections::conditions_stepWithBudget_printsUAndK()
     Recipe recipe;
     CertificateSection section = conditionsSection(results, recipe);
     QCOMPARE(cellOf(section, 0, 6), std::string("434.5 kPa"));
-    QCOMPARE(cellOf(section, 0, 8), std::string("3.5 kPa")); // 1.96 times
-    QCOMPARE(cellOf(section, 0, 9), std::string("1.96"));
+    QCOMPARE(cellOf(section, 0, 8), std::string("3.6 kPa")); // twice
+    QCOMPARE(cellOf(section, 0, 9), std::string("2")); // as of everything else
     QCOMPARE(section.notes.size(), std::size_t(1));
     QCOMPARE(section.notes[0].arguments, std::vector<std::string>{"95"});
     // Student's t of the effective degrees of freedom, for the recipe's coverage.
@@ -218,8 +218,8 @@ void TestCertificateSections::model_thatDiverges_printsNoFit()
     model.fitAttainable_percent = 90.0;
     model.diverges = true;
     const CertificateSection section = modelSection(results, {});
-    QCOMPARE(
-        valueOf(section, "fit"), std::string(kDash) + " % of 90.00 % attainable with this noise");
+    QCOMPARE(valueOf(section, "fit"),
+        std::string(kDash) + " %; in this noise the true model would reach 90.00 % on average");
     QCOMPARE(valueOf(section, "fit_listing"), std::string(kDash) + " %");
 }
 
@@ -230,7 +230,8 @@ void TestCertificateSections::model_attainableUnknown_isADash()
     model.fit_percent = 87.0;
     model.fitAttainable_percent = kUnknown;
     QCOMPARE(valueOf(modelSection(results, {}), "fit"),
-        std::string("87.00 % of ") + kDash + " % attainable with this noise");
+        std::string("87.00 %; in this noise the true model would reach ") + kDash
+            + " % on average");
 }
 
 void TestCertificateSections::model_listingFit_onlyWhereThereIsOne()

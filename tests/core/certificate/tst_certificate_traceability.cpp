@@ -4,7 +4,9 @@
 // What a certificate says of profile, chain and the references of the budget.
 
 #include "core/certificate/certificate_traceability.h"
+#include "core/certificate/quantity_words.h"
 #include "core/certificate/required_fields.h"
+#include "core/project/capability_quantities.h"
 #include "tests/support/test_program.h"
 
 #include <QTest>
@@ -74,10 +76,54 @@ private slots:
         Recipe made;
         made.uncertainty.cmc = {{"sensitivity", 0.015}, {"phase_rad", 0.02}, {"f0_hz", 50.0, false},
             {"magnitude", 0.025, true, 1e3, 1e5}, {"magnitude", 0.05, true, 1e5}};
-        const auto fields = traceabilityFields({}, made);
-        QCOMPARE(QString::fromStdString(textOf(fieldOf(fields, "cmc"))),
-            QString::fromUtf8("sensitivity 1.5 %, phase_rad 0.02 rad, f0_hz 50, magnitude 2.5 % "
-                              "(1 kHz ... 100 kHz), magnitude 5 % (100 kHz ... )"));
+        made.uncertainty.cmc.push_back({"magnitude", 2e-7, false, 0.0, 2e3});
+        made.uncertainty.cmc.push_back({"settling_time_s", 1e-6, false});
+        CalibrationResults results;
+        auto response = std::make_shared<ResponseResult>();
+        response->unit = "V/Pa";
+        results.response = response;
+        QStringList said;
+        for (const CertificateField &field : traceabilityFields(results, made))
+            said << QString::fromStdString(field.id + ' ' + english(field.value));
+        QCOMPARE(said,
+            QStringList({"cmc Sensitivity at the onset of the step: 1.5 %",
+                "cmc Phase of the frequency response: 20 mrad",
+                "cmc Undamped natural frequency: 50 Hz",
+                "cmc Magnitude of the frequency response: 2.5 % from 1 kHz to 100 kHz",
+                "cmc Magnitude of the frequency response: 5 % from 100 kHz on",
+                "cmc Magnitude of the frequency response: 200 nV/Pa up to 2 kHz",
+                "cmc Settling time, within 5 %: 1 \u00b5s"}));
+    }
+
+    /// Whatever the budget may state, and whatever a CMC may be of, is said in words.
+    void everyQuantity_hasWords()
+    {
+        for (const std::string &name : statedQuantities())
+            QVERIFY2(english(sourceWords(name)) != name, name.c_str());
+        for (const char *name : kCapabilityQuantities)
+            QVERIFY2(english(valueWords(name)) != name, name);
+        QCOMPARE(english(sourceWords("distance_m[Side 1]")), "distance along the tube, Side 1");
+        QCOMPARE(english(sourceWords("weak_mode")), "weak_mode");
+        QCOMPARE(english(valueWords("x")), "x");
+    }
+
+    /// The references of a step are no part of a free decay.
+    void decay_namesOnlyWhatItDependsOn()
+    {
+        Recipe made = recipe();
+        made.input.treatment = ResponseTreatment::Impulse;
+        made.uncertainty.budget.push_back({"clock_relative", 1e-6, "normal", {}, "C-1", ""});
+        CalibrationResults results;
+        UncertaintyReport report;
+        UncertaintyLine clock;
+        clock.quantity = "clock_relative";
+        report.ofModel = {{"f0_hz", 1e5, "Hz", {clock}}};
+        results.uncertainty = std::make_shared<UncertaintyReport>(report);
+        const auto fields = traceabilityFields(results, made);
+        QVERIFY(fieldOf(fields, "reference_clock_relative"));
+        QVERIFY(!fieldOf(fields, "reference_t1_k"));
+        QCOMPARE(
+            textOf(fieldOf(fields, "reference_clock_relative")), "sample clock: certificate C-1");
     }
 
     void reference_thatEndedBeforeTheMeasurement_isMissing_data()

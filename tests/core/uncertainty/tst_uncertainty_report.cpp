@@ -151,6 +151,23 @@ private slots:
         QVERIFY(!findingOf(results, "UNC-001"));
     }
 
+    /// The noise of a level needs no pressure: the same u whether the shock is evaluated or not.
+    void unitStep_isTheSameWithoutAShock()
+    {
+        Recipe recipe;
+        recipe.response.reference = "unit-step";
+        const CalibrationResults with = run(recipe);
+        recipe.shock.enabled = false;
+        const CalibrationResults without = run(recipe);
+        QCOMPARE(without.response->unit, std::string("1"));
+        QVERIFY(!without.response->sensitivity && !without.response->shots[0].step_Pa);
+        QVERIFY(without.uncertainty->rows.isComplete());
+        QCOMPARE(without.uncertainty->rows.u_magnitude, with.uncertainty->rows.u_magnitude);
+        QCOMPARE(
+            without.uncertainty->rows.u_common_relative, with.uncertainty->rows.u_common_relative);
+        QVERIFY(!findingOf(without, "UNC-001"));
+    }
+
     void freeDecay_hasItsFrequencies()
     {
         Recipe recipe;

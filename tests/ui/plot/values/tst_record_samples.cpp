@@ -76,6 +76,7 @@ private slots:
     void points_ofFarTimes_endAndAreEmpty();
     void placeOf_anExtreme_isTheSample();
     void overview_wholeRecord_isExact();
+    void overview_columns_areOfOneWidth();
     void rawCurves_withoutEnvelopeYet_showTheAxisAndNoPoints();
     void rawCurves_withEnvelope_carryTheRecord();
     void longRecords_areThoseOfPlottedRolesAndIncludedShots();
@@ -202,6 +203,25 @@ void TestRecordSamples::overview_wholeRecord_isExact()
     QVERIFY(std::ranges::is_sorted(whole.x));
     QCOMPARE(whole.y.back(), 2.1);
     QCOMPARE(std::ranges::min(whole.y), physicalValues(channel, 0, kLength).minCoeff());
+}
+
+/// Whatever the length: what does not divide evenly is no long last column.
+void TestRecordSamples::overview_columns_areOfOneWidth()
+{
+    for (const Index length : {Index(30'000), Index(7'999), Index(8'001), kLength}) {
+        Channel channel = spiky(kLength - 1);
+        channel.samples
+            = RawSamples(std::vector<std::int16_t>(static_cast<std::size_t>(length), 1));
+        const RecordSamples record(envelopeOf(channel));
+        const DrawnPoints whole = record.overview(4000);
+        const double even_s = static_cast<double>(length) / kRate_Hz / 4000.0;
+        double widest_s = 0.0;
+        for (std::size_t i = 2; i < whole.x.size(); ++i)
+            widest_s = std::max(widest_s, whole.x[i] - whole.x[i - 1]);
+        const double grain_s = static_cast<double>(EnvelopePyramid::kBaseBlock) / kRate_Hz;
+        QVERIFY2(
+            widest_s <= 2.0 * (even_s + grain_s), qPrintable(QString::number(widest_s / even_s)));
+    }
 }
 
 void TestRecordSamples::rawCurves_withoutEnvelopeYet_showTheAxisAndNoPoints()

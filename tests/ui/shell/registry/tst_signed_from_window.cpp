@@ -209,7 +209,7 @@ private slots:
         bench.issueNow();
         QVERIFY2(bench.outcome().startsWith("Lösenfrasen öppnar inte nyckeln i "),
             qPrintable(bench.outcome()));
-        bench.choose(SigningWay::None);
+        bench.choose(SigningWay::Unsigned);
         bench.issueNow();
         QVERIFY2(bench.outcome().startsWith("Bevis 1 ") && bench.outcome().contains("CER-010: DCC"),
             qPrintable(bench.outcome()));
