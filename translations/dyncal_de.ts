@@ -489,7 +489,7 @@
     </message>
     <message>
         <source>Power spectral density</source>
-        <translation>Spektrale Leistungsdichte</translation>
+        <translation>Leistungsdichte</translation>
     </message>
     <message>
         <source>Time</source>
@@ -1377,8 +1377,8 @@
         <translation>Empfindlichkeit über der Frequenz: aus den Antworten ohne Modell und aus dem Modell</translation>
     </message>
     <message>
-        <source>Beside the frequencies asked for, the table always has the limits of the band and, where they lie between these, the band edges and the resonance of the key results. What stands in these lines was computed at exactly these frequencies, as in all others.</source>
-        <translation>Neben den verlangten Frequenzen enthält die Tabelle stets die Grenzen des Bandes und, wo sie dazwischen liegen, die Bandkanten und die Resonanz der Hauptergebnisse. Was in diesen Zeilen steht, wurde wie in allen anderen bei genau diesen Frequenzen berechnet.</translation>
+        <source>Beside the frequencies asked for, the table always has the limits of the band and, where they are known and lie between these, the model&apos;s band edges and resonance. What stands in these lines was computed at exactly these frequencies, as in all others.</source>
+        <translation>Neben den verlangten Frequenzen enthält die Tabelle stets die Grenzen des Bandes und, wo sie bekannt sind und dazwischen liegen, die Bandkanten und die Resonanz des Modells. Was in diesen Zeilen steht, wurde wie in allen anderen bei genau diesen Frequenzen berechnet.</translation>
     </message>
     <message>
         <source>A value of another calibration stands in the table of this one, under its name, only where both agree within their expanded uncertainties (absolute En at most 1); below the band it is compared with the sensitivity at the onset of the step. It is no result of this calibration; the line &quot;compared at&quot; of its frequency is.</source>
@@ -4149,8 +4149,8 @@
         <translation>Vergleich von GUM und Monte Carlo (JCGM 101)</translation>
     </message>
     <message>
-        <source>Results whose interval of %1 % by Monte Carlo is not the one that U gives; it is the one to use</source>
-        <translation>Ergebnisse, deren %1-%-Intervall nach Monte Carlo nicht das ist, das U ergibt; es ist das zu verwendende</translation>
+        <source>Results whose interval of %1 % by Monte Carlo reaches beyond the one that U gives; it is the one to use</source>
+        <translation>Ergebnisse, deren %1-%-Intervall nach Monte Carlo über das hinausreicht, das U ergibt; es ist das zu verwendende</translation>
     </message>
     <message>
         <source>Lower end</source>

@@ -7418,8 +7418,8 @@ steget</translation>
         <translation>övre gräns %L1</translation>
     </message>
     <message>
-        <source>Beside the frequencies asked for, the table always has the limits of the band and, where they lie between these, the band edges and the resonance of the key results. What stands in these lines was computed at exactly these frequencies, as in all others.</source>
-        <translation>Utöver de begärda frekvenserna har tabellen alltid bandets gränser och, där de ligger mellan dessa, huvudresultatens bandgränser och resonans. Det som står på dessa rader är beräknat vid exakt dessa frekvenser, som på alla andra.</translation>
+        <source>Beside the frequencies asked for, the table always has the limits of the band and, where they are known and lie between these, the model&apos;s band edges and resonance. What stands in these lines was computed at exactly these frequencies, as in all others.</source>
+        <translation>Utöver de begärda frekvenserna har tabellen alltid bandets gränser och, där de är kända och ligger mellan dessa, modellens bandgränser och resonans. Det som står på dessa rader är beräknat vid exakt dessa frekvenser, som på alla andra.</translation>
     </message>
     <message>
         <source>Magnitude at the resonance, from the records</source>
@@ -10098,8 +10098,8 @@ steget</translation>
         <translation>Jämförelse mellan GUM och Monte Carlo (JCGM 101)</translation>
     </message>
     <message>
-        <source>Results whose interval of %1 % by Monte Carlo is not the one that U gives; it is the one to use</source>
-        <translation>Resultat vars %1 %-intervall enligt Monte Carlo inte är det som U ger; det är det som ska användas</translation>
+        <source>Results whose interval of %1 % by Monte Carlo reaches beyond the one that U gives; it is the one to use</source>
+        <translation>Resultat vars %1 %-intervall enligt Monte Carlo når utanför det som U ger; det är det som ska användas</translation>
     </message>
     <message>
         <source>Lower end</source>

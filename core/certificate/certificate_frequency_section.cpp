@@ -298,7 +298,7 @@ void addNoteOfMarks(const ResponseResult &response, CertificateSection &section)
     if (response.atMarks)
         section.notes.push_back(
             {DYNCAL_TEXT("core",
-                 "Beside the frequencies asked for, the table always has the limits of the band and, where they lie between these, the band edges and the resonance of the key results. What stands in these lines was computed at exactly these frequencies, as in all others."),
+                 "Beside the frequencies asked for, the table always has the limits of the band and, where they are known and lie between these, the model's band edges and resonance. What stands in these lines was computed at exactly these frequencies, as in all others."),
                 {}});
 }
 

@@ -8,7 +8,6 @@
 #include "core/monte_carlo/chain_monte_carlo.h"
 
 #include <algorithm>
-#include <cmath>
 #include <string>
 
 namespace dyncal {
@@ -28,22 +27,26 @@ Message sentenceOf(const ChainMonteCarlo &drawn)
         std::move(numbers)};
 }
 
-/// What the trials say of a result; an interval that does not exist is NaN.
+/// What the trials say of a result.
 struct DrawnInterval
 {
     double low = kUnknown;
     double high = kUnknown;
 };
 
-std::optional<DrawnInterval> intervalOf(const DrawnQuantity &drawn, const GumValidation &gum)
+/// Where it reaches beyond value -+ U, by more than JCGM 101 (8.2) allows; what lies within is
+/// stated safely, if wider than it need be.
+std::optional<DrawnInterval> intervalOf(
+    const ResultQuantity &of, const DrawnQuantity &drawn, const GumValidation &gum)
 {
-    if (gum.validated || !std::isfinite(drawn.low) || !std::isfinite(drawn.high))
-        return std::nullopt;
-    return DrawnInterval{drawn.low, drawn.high};
+    const double reach = printedCoverage(of.k) * of.u + gum.tolerance;
+    const bool isBeyond = drawn.low < of.value - reach || drawn.high > of.value + reach;
+    return !gum.validated && isBeyond ? std::optional(DrawnInterval{drawn.low, drawn.high})
+                                      : std::nullopt;
 }
 
 std::optional<DrawnInterval> atResonance(
-    const CalibrationResults &results, const ChainMonteCarlo &drawn)
+    const CalibrationResults &results, const ChainMonteCarlo &drawn, const ResultQuantity &of)
 {
     const ResponseResult *marked = results.response ? results.response->atMarks.get() : nullptr;
     if (!marked)
@@ -53,17 +56,17 @@ std::optional<DrawnInterval> atResonance(
     if (mark == marked->marks.end() || row >= drawn.rowsAtMarks.size()
         || !drawn.rowsAtMarks[row].withMagnitude)
         return std::nullopt;
-    return intervalOf(drawn.rowsAtMarks[row].magnitude, drawn.rowsAtMarks[row].gumMagnitude);
+    const DrawnRow &found = drawn.rowsAtMarks[row];
+    return intervalOf(of, found.magnitude, found.gumMagnitude);
 }
 
-/// Where it is not the one that U gives.
 std::optional<DrawnInterval> otherInterval(
     const CalibrationResults &results, const ChainMonteCarlo &drawn, const ResultQuantity &of)
 {
     if (of.of == "magnitude_at_resonance")
-        return atResonance(results, drawn);
+        return atResonance(results, drawn, of);
     const DrawnValue *value = drawn.find(of.drawnAs.empty() ? of.of : of.drawnAs);
-    return value ? intervalOf(value->drawn, value->gum) : std::nullopt;
+    return value ? intervalOf(of, value->drawn, value->gum) : std::nullopt;
 }
 
 } // namespace
@@ -88,7 +91,7 @@ std::optional<CertificateTable> monteCarloTable(
     table.id = "monte-carlo";
     table.caption = {
         DYNCAL_TEXT("core",
-            "Results whose interval of %1 % by Monte Carlo is not the one that U gives; it is the one to use"),
+            "Results whose interval of %1 % by Monte Carlo reaches beyond the one that U gives; it is the one to use"),
         {settingText(100.0 * drawn->coverage, "")}};
     table.columns = {{{DYNCAL_TEXT("core", "Quantity"), {}}, false},
         {{DYNCAL_TEXT("core", "Lower end"), {}}, true},

@@ -17,9 +17,9 @@ namespace dyncal {
 /// a part.
 std::optional<CertificateField> monteCarloField(const CalibrationResults &results);
 
-/// Those of the results, as they stand in the table of the key results, for which they do not
-/// agree: the ends of the interval that Monte Carlo found, to the digits of half its width (JCGM
-/// 101, 7.7). Empty where there are none.
+/// Those of the results, as they stand in the table of the key results, for which they do not agree
+/// and U is not the safer one: the ends of the interval that Monte Carlo found, which reaches
+/// beyond value -+ U, to the digits of half its width (JCGM 101, 7.7). Empty where there are none.
 std::optional<CertificateTable> monteCarloTable(
     const CalibrationResults &results, const std::vector<ResultQuantity> &quantities);
 

@@ -54,7 +54,7 @@ constexpr std::array kRefTypes{
     DccRefType{"dyncal_capability", "Least expanded uncertainty of the laboratory (CMC)"},
     DccRefType{"dyncal_monteCarlo", "Outcome of the second propagation by Monte Carlo"},
     DccRefType{"dyncal_monteCarloIntervals",
-        "Coverage intervals by Monte Carlo that are not the ones that the expanded uncertainty gives"},
+        "Coverage intervals by Monte Carlo that reach beyond the ones that the expanded uncertainty gives"},
     DccRefType{"dyncal_lowerEnd", "Lower end of the coverage interval"},
     DccRefType{"dyncal_upperEnd", "Upper end of the coverage interval"},
     DccRefType{"dyncal_referenceChannel", "Channel of the reference transducer"},

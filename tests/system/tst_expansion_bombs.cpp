@@ -12,9 +12,8 @@
 #include <QTemporaryDir>
 #include <QTest>
 
-namespace dyncal {
-
-using namespace testing;
+using namespace dyncal;
+using namespace dyncal::testing;
 
 /// Small files that unpack to gigabytes, given to the built program: refused in a sentence, within
 /// a second and within what a file of their size may take of memory, helper processes included.
@@ -95,7 +94,5 @@ private slots:
     }
 };
 
-} // namespace dyncal
-
-DYNCAL_TEST(dyncal::TestExpansionBombs)
+DYNCAL_TEST(TestExpansionBombs)
 #include "tst_expansion_bombs.moc"

@@ -19,9 +19,8 @@
 #include <map>
 #include <mutex>
 
-namespace dyncal {
-
-using namespace testing;
+using namespace dyncal;
+using namespace dyncal::testing;
 
 /// The built program is given damaged files of every format: it reads them or says in a sentence
 /// why not, and neither dies, hangs nor takes more memory than a file of that size may.
@@ -210,7 +209,5 @@ private slots:
     }
 };
 
-} // namespace dyncal
-
-DYNCAL_TEST(dyncal::TestMutants)
+DYNCAL_TEST(TestMutants)
 #include "tst_mutants.moc"

@@ -13,9 +13,8 @@
 #include <numbers>
 #include <random>
 
-namespace dyncal {
-
-using namespace testing;
+using namespace dyncal;
+using namespace dyncal::testing;
 
 namespace {
 
@@ -423,7 +422,5 @@ private slots:
     }
 };
 
-} // namespace dyncal
-
-DYNCAL_TEST(dyncal::TestCaptureCheck)
+DYNCAL_TEST(TestCaptureCheck)
 #include "tst_capture_check.moc"

@@ -18,9 +18,8 @@
 #include <filesystem>
 #include <utility>
 
-namespace dyncal {
-
-using namespace testing;
+using namespace dyncal;
+using namespace dyncal::testing;
 
 namespace {
 
@@ -296,7 +295,5 @@ private slots:
     }
 };
 
-} // namespace dyncal
-
-DYNCAL_TEST(dyncal::TestCaptureSeal)
+DYNCAL_TEST(TestCaptureSeal)
 #include "tst_capture_seal.moc"

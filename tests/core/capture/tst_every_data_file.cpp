@@ -11,9 +11,8 @@
 
 #include <map>
 
-namespace dyncal {
-
-using namespace testing;
+using namespace dyncal;
+using namespace dyncal::testing;
 
 /// Walks the whole folder of recordings from elsewhere: whatever lies there is read, refused with a
 /// reason or no capture at all, and never anything else.
@@ -131,7 +130,5 @@ private slots:
     }
 };
 
-} // namespace dyncal
-
-DYNCAL_TEST(dyncal::TestEveryDataFile)
+DYNCAL_TEST(TestEveryDataFile)
 #include "tst_every_data_file.moc"

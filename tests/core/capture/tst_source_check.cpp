@@ -11,9 +11,8 @@
 #include <QFile>
 #include <QTemporaryDir>
 
-namespace dyncal {
-
-using namespace testing;
+using namespace dyncal;
+using namespace dyncal::testing;
 
 /// What is said of files that are not as they were when they were opened.
 class TestSourceCheck : public QObject
@@ -145,7 +144,5 @@ private slots:
     }
 };
 
-} // namespace dyncal
-
-DYNCAL_TEST(dyncal::TestSourceCheck)
+DYNCAL_TEST(TestSourceCheck)
 #include "tst_source_check.moc"

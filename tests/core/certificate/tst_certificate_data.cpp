@@ -135,7 +135,7 @@ void TestCertificateData::complete_example_hasEverySectionAndNumber()
     QCOMPARE(value(data, "model", "fit"),
         QString("98.76 %; in this noise the true model would reach 98.91 % on average"));
     QCOMPARE(value(data, "item", "sensor_serial"), QString("SN-0042"));
-    QCOMPARE(value(data, "conditions", "ambient_temperature"), QString("294.1 K"));
+    QCOMPARE(value(data, "conditions", "ambient_temperature"), QString("294.15 K"));
     QCOMPARE(
         value(data, "conditions", "ambient_pressure"), QString("not determined (not recorded)"));
     QCOMPARE(cell(*table(data, "conditions"), 2, 6), QString("434 kPa"));

@@ -19,9 +19,9 @@
 #include <numbers>
 #include <random>
 
-namespace dyncal {
+using namespace dyncal;
 
-using testing::writable;
+using dyncal::testing::writable;
 
 namespace {
 
@@ -264,7 +264,5 @@ void TestCertificateNumbers::frequencies_closeTogether_stayApart()
     }
 }
 
-} // namespace dyncal
-
-DYNCAL_TEST(dyncal::TestCertificateNumbers)
+DYNCAL_TEST(TestCertificateNumbers)
 #include "tst_certificate_numbers.moc"

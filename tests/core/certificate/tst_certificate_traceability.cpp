@@ -87,7 +87,7 @@ private slots:
             said << QString::fromStdString(field.id + ' ' + english(field.value));
         QCOMPARE(said,
             QStringList({"cmc Sensitivity at the onset of the step: 1.5 %",
-                "cmc Phase of the frequency response: 20 mrad",
+                "cmc Phase of the frequency response: 0.02 rad",
                 "cmc Undamped natural frequency: 50 Hz",
                 "cmc Magnitude of the frequency response: 2.5 % from 1 kHz to 100 kHz",
                 "cmc Magnitude of the frequency response: 5 % from 100 kHz on",

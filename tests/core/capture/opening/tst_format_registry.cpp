@@ -11,9 +11,8 @@
 
 #include <QTemporaryDir>
 
-namespace dyncal {
-
-using namespace testing;
+using namespace dyncal;
+using namespace dyncal::testing;
 
 namespace {
 
@@ -192,7 +191,5 @@ private slots:
     }
 };
 
-} // namespace dyncal
-
-DYNCAL_TEST(dyncal::TestFormatRegistry)
+DYNCAL_TEST(TestFormatRegistry)
 #include "tst_format_registry.moc"

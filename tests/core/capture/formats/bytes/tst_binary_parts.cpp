@@ -17,7 +17,7 @@
 #include <limits>
 #include <optional>
 
-namespace dyncal {
+using namespace dyncal;
 
 /// A value of each kind that the stream knows.
 struct Packed
@@ -35,8 +35,6 @@ void transfer(Stream &stream, Packed &value)
 {
     stream(value.number, value.text, value.rows, value.named);
 }
-
-} // namespace dyncal
 
 using namespace dyncal;
 

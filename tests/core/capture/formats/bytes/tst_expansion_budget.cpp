@@ -15,9 +15,8 @@
 
 #include <numeric>
 
-namespace dyncal {
-
-using namespace testing;
+using namespace dyncal;
+using namespace dyncal::testing;
 
 class TestExpansionBudget : public QObject
 {
@@ -152,7 +151,5 @@ private slots:
     }
 };
 
-} // namespace dyncal
-
-DYNCAL_TEST(dyncal::TestExpansionBudget)
+DYNCAL_TEST(TestExpansionBudget)
 #include "tst_expansion_budget.moc"

@@ -12,9 +12,8 @@
 
 #include <filesystem>
 
-namespace dyncal {
-
-using namespace testing;
+using namespace dyncal;
+using namespace dyncal::testing;
 
 class TestForeignHdf5 : public QObject, ForeignFile
 {
@@ -372,7 +371,5 @@ private slots:
     }
 };
 
-} // namespace dyncal
-
-DYNCAL_TEST(dyncal::TestForeignHdf5)
+DYNCAL_TEST(TestForeignHdf5)
 #include "tst_foreign_hdf5.moc"

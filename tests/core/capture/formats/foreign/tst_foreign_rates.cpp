@@ -8,9 +8,8 @@
 #include "tests/core/capture/formats/foreign/foreign_file.h"
 #include "tests/support/test_program.h"
 
-namespace dyncal {
-
-using namespace testing;
+using namespace dyncal;
+using namespace dyncal::testing;
 
 class TestForeignRates : public QObject, ForeignFile
 {
@@ -253,7 +252,5 @@ private slots:
     }
 };
 
-} // namespace dyncal
-
-DYNCAL_TEST(dyncal::TestForeignRates)
+DYNCAL_TEST(TestForeignRates)
 #include "tst_foreign_rates.moc"

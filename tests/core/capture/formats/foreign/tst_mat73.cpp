@@ -13,9 +13,8 @@
 
 #include <functional>
 
-namespace dyncal {
-
-using namespace testing;
+using namespace dyncal;
+using namespace dyncal::testing;
 using namespace testing::mat73;
 
 namespace {
@@ -254,8 +253,6 @@ private slots:
     }
 };
 
-} // namespace dyncal
-
-DYNCAL_TEST(dyncal::TestMat73)
+DYNCAL_TEST(TestMat73)
 
 #include "tst_mat73.moc"

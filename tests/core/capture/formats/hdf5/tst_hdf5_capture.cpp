@@ -16,9 +16,8 @@
 
 #include <filesystem>
 
-namespace dyncal {
-
-using namespace testing;
+using namespace dyncal;
+using namespace dyncal::testing;
 
 namespace {
 
@@ -514,8 +513,6 @@ private:
     }
 };
 
-} // namespace dyncal
-
-DYNCAL_TEST(dyncal::TestHdf5Capture)
+DYNCAL_TEST(TestHdf5Capture)
 
 #include "tst_hdf5_capture.moc"

@@ -16,9 +16,8 @@
 #include <sstream>
 #include <tuple>
 
-namespace dyncal {
-
-using namespace testing;
+using namespace dyncal;
+using namespace dyncal::testing;
 
 namespace {
 
@@ -345,7 +344,5 @@ assert hashlib.sha256(text.encode()).hexdigest() == f.attrs['content_sha256']
     }
 };
 
-} // namespace dyncal
-
-DYNCAL_TEST(dyncal::TestHdf5Content)
+DYNCAL_TEST(TestHdf5Content)
 #include "tst_hdf5_content.moc"

@@ -20,9 +20,8 @@
 #include <filesystem>
 #include <fstream>
 
-namespace dyncal {
-
-using namespace testing;
+using namespace dyncal;
+using namespace dyncal::testing;
 
 namespace {
 
@@ -155,8 +154,6 @@ private slots:
     }
 };
 
-} // namespace dyncal
-
-DYNCAL_TEST(dyncal::TestHdf5FullDisk)
+DYNCAL_TEST(TestHdf5FullDisk)
 
 #include "tst_hdf5_full_disk.moc"

@@ -24,9 +24,8 @@
 #include <numeric>
 #include <random>
 
-namespace dyncal {
-
-using namespace testing;
+using namespace dyncal;
+using namespace dyncal::testing;
 
 namespace {
 
@@ -480,8 +479,6 @@ private slots:
     }
 };
 
-} // namespace dyncal
-
-DYNCAL_TEST(dyncal::TestHdf5Guarded)
+DYNCAL_TEST(TestHdf5Guarded)
 
 #include "tst_hdf5_guarded.moc"

@@ -7,9 +7,8 @@
 #include "tests/core/capture/formats/bytes/binary_test_support.h"
 #include "tests/core/capture/formats/instruments/lecroy_test_file.h"
 
-namespace dyncal {
-
-using namespace testing;
+using namespace dyncal;
+using namespace dyncal::testing;
 using namespace testing::lecroy;
 
 namespace {
@@ -330,7 +329,5 @@ void TestLecroyTrc::corpus_isReadOrRefused()
     QVERIFY(known >= 2);
 }
 
-} // namespace dyncal
-
-DYNCAL_TEST(dyncal::TestLecroyTrc)
+DYNCAL_TEST(TestLecroyTrc)
 #include "tst_lecroy_trc.moc"

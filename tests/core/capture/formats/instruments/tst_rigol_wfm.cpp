@@ -7,9 +7,8 @@
 #include "tests/core/capture/formats/bytes/binary_test_support.h"
 #include "tests/core/capture/formats/instruments/rigol_test_file.h"
 
-namespace dyncal {
-
-using namespace testing;
+using namespace dyncal;
+using namespace dyncal::testing;
 using namespace testing::rigol;
 
 namespace {
@@ -219,7 +218,5 @@ void TestRigolWfm::twins_writtenByTheOscilloscope_agree()
         DYNCAL_SKIP_WITHOUT_DATA("DYNCAL_DATA has no folder rigolwfm: 0 files covered");
 }
 
-} // namespace dyncal
-
-DYNCAL_TEST(dyncal::TestRigolWfm)
+DYNCAL_TEST(TestRigolWfm)
 #include "tst_rigol_wfm.moc"

@@ -7,9 +7,8 @@
 #include "tests/core/capture/formats/bytes/binary_test_support.h"
 #include "tests/core/capture/formats/instruments/rohde_test_file.h"
 
-namespace dyncal {
-
-using namespace testing;
+using namespace dyncal;
+using namespace dyncal::testing;
 using namespace testing::rohde;
 
 /// Rohde & Schwarz waveforms: two files that belong together.
@@ -262,7 +261,5 @@ void TestRohdeBin::twins_writtenByTheOscilloscope_agree()
         DYNCAL_SKIP_WITHOUT_DATA("DYNCAL_DATA has no folder rigolwfm: 0 files covered");
 }
 
-} // namespace dyncal
-
-DYNCAL_TEST(dyncal::TestRohdeBin)
+DYNCAL_TEST(TestRohdeBin)
 #include "tst_rohde_bin.moc"

@@ -7,9 +7,8 @@
 #include "tests/core/capture/formats/bytes/binary_test_support.h"
 #include "tests/core/capture/formats/instruments/scope_bin_test_file.h"
 
-namespace dyncal {
-
-using namespace testing;
+using namespace dyncal;
+using namespace dyncal::testing;
 using namespace testing::scope_bin;
 
 namespace {
@@ -345,7 +344,5 @@ void TestScopeBin::corpus_isReadOrRefused()
     QVERIFY(known >= 3);
 }
 
-} // namespace dyncal
-
-DYNCAL_TEST(dyncal::TestScopeBin)
+DYNCAL_TEST(TestScopeBin)
 #include "tst_scope_bin.moc"

@@ -7,9 +7,8 @@
 #include "tests/core/capture/formats/bytes/binary_test_support.h"
 #include "tests/core/capture/formats/instruments/wav_test_file.h"
 
-namespace dyncal {
-
-using namespace testing;
+using namespace dyncal;
+using namespace dyncal::testing;
 using namespace testing::riff;
 
 /// WAV files: exact counts and scales, honest about lengths, never a guess.
@@ -378,7 +377,5 @@ with open(sys.argv[2], 'wb') as out:
     QVERIFY(read >= 5);
 }
 
-} // namespace dyncal
-
-DYNCAL_TEST(dyncal::TestWav)
+DYNCAL_TEST(TestWav)
 #include "tst_wav.moc"

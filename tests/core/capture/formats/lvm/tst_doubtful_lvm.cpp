@@ -9,9 +9,8 @@
 
 #include <QTemporaryDir>
 
-namespace dyncal {
-
-using namespace testing;
+using namespace dyncal;
+using namespace dyncal::testing;
 
 class TestDoubtfulLvm : public QObject
 {
@@ -300,7 +299,5 @@ private slots:
     }
 };
 
-} // namespace dyncal
-
-DYNCAL_TEST(dyncal::TestDoubtfulLvm)
+DYNCAL_TEST(TestDoubtfulLvm)
 #include "tst_doubtful_lvm.moc"

@@ -12,9 +12,8 @@
 #include <QJsonObject>
 #include <QTemporaryDir>
 
-namespace dyncal {
-
-using namespace testing;
+using namespace dyncal;
+using namespace dyncal::testing;
 
 namespace {
 
@@ -228,7 +227,5 @@ private slots:
     }
 };
 
-} // namespace dyncal
-
-DYNCAL_TEST(dyncal::TestLvm)
+DYNCAL_TEST(TestLvm)
 #include "tst_lvm.moc"

@@ -8,9 +8,8 @@
 #include "tests/core/capture/formats/matlab/mat_test_file.h"
 #include "tests/core/capture/formats/matlab/mat_test_signals.h"
 
-namespace dyncal {
-
-using namespace testing;
+using namespace dyncal;
+using namespace dyncal::testing;
 using namespace testing::level5;
 
 namespace {
@@ -312,7 +311,5 @@ void TestMat::mutants_neverCrash()
     QVERIFY(storm.refused > kMutants / 10);
 }
 
-} // namespace dyncal
-
-DYNCAL_TEST(dyncal::TestMat)
+DYNCAL_TEST(TestMat)
 #include "tst_mat.moc"

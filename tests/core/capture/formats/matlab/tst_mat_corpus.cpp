@@ -6,9 +6,8 @@
 
 #include "tests/core/capture/formats/bytes/binary_test_support.h"
 
-namespace dyncal {
-
-using namespace testing;
+using namespace dyncal;
+using namespace dyncal::testing;
 
 /// MATLAB files of other programs: of scipy, of a corpus, of a laboratory.
 class TestMatCorpus : public QObject
@@ -171,7 +170,5 @@ sio.loadmat(sys.argv[1])['Y'].T.astype('<f8').tofile(sys.argv[2])
     qInfo("derived: %d files covered", int(files.size()));
 }
 
-} // namespace dyncal
-
-DYNCAL_TEST(dyncal::TestMatCorpus)
+DYNCAL_TEST(TestMatCorpus)
 #include "tst_mat_corpus.moc"

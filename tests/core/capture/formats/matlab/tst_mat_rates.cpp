@@ -8,9 +8,8 @@
 #include "tests/core/capture/formats/matlab/mat_test_file.h"
 #include "tests/core/capture/formats/matlab/mat_test_signals.h"
 
-namespace dyncal {
-
-using namespace testing;
+using namespace dyncal;
+using namespace dyncal::testing;
 using namespace testing::level5;
 
 namespace {
@@ -223,7 +222,5 @@ void TestMatRates::temperature_isNoTime()
     QCOMPARE(set->shots[0].channels[0].sampleRate_Hz, 0.0);
 }
 
-} // namespace dyncal
-
-DYNCAL_TEST(dyncal::TestMatRates)
+DYNCAL_TEST(TestMatRates)
 #include "tst_mat_rates.moc"

@@ -17,9 +17,8 @@
 
 #include <random>
 
-namespace dyncal {
-
-using namespace testing;
+using namespace dyncal;
+using namespace dyncal::testing;
 
 namespace {
 
@@ -385,7 +384,5 @@ private slots:
     }
 };
 
-} // namespace dyncal
-
-DYNCAL_TEST(dyncal::TestTextRobustness)
+DYNCAL_TEST(TestTextRobustness)
 #include "tst_text_robustness.moc"

@@ -16,7 +16,7 @@
 namespace dyncal::testing {
 
 /// Times are printed as decimals: 1/step has a few roundings on top.
-inline constexpr double kRateTolerance = 1e-9;
+inline constexpr double kRateAllowance = 1e-9;
 
 inline std::vector<double> valuesOf(const Channel &channel)
 {

@@ -10,9 +10,8 @@
 #include <QElapsedTimer>
 #include <QTemporaryDir>
 
-namespace dyncal {
-
-using namespace testing;
+using namespace dyncal;
+using namespace dyncal::testing;
 
 class TestDelimitedText : public QObject
 {
@@ -60,7 +59,7 @@ private slots:
                 QCOMPARE(shot.channels[0].samples.at(k), std::sin(0.1 * k));
                 QCOMPARE(shot.channels[1].samples.at(k), 0.5 * k * k);
             }
-            QVERIFY(near(shot.channels[0].sampleRate_Hz, 1.0 / step, kRateTolerance));
+            QVERIFY(near(shot.channels[0].sampleRate_Hz, 1.0 / step, kRateAllowance));
             // Without a title that the numbers are seconds is sure, but said.
             QVERIFY(hasFinding(set->findings, "CAP-003"));
             QCOMPARE(worstSeverity(set->findings), Severity::Info);
@@ -123,8 +122,8 @@ private slots:
         const Channel &channel = set->shots[0].channels[0];
         QCOMPARE(QString::fromStdString(channel.name), name);
         QCOMPARE(QString::fromStdString(channel.unit), unit);
-        QVERIFY(near(channel.sampleRate_Hz, 2.0 * rate, kRateTolerance));
-        QVERIFY(near(channel.t0_s, -0.5 / rate, kRateTolerance));
+        QVERIFY(near(channel.sampleRate_Hz, 2.0 * rate, kRateAllowance));
+        QVERIFY(near(channel.t0_s, -0.5 / rate, kRateAllowance));
     }
 
     void read_equalTitles_staySeparate()
@@ -240,7 +239,7 @@ private slots:
             QString::fromUtf8("Dr\xC3\xBC"
                               "ck"));
         QCOMPARE(valuesOf(channel), (std::vector<double>{1.5, 2.5, -3.5}));
-        QVERIFY(near(channel.sampleRate_Hz, 2e6, kRateTolerance));
+        QVERIFY(near(channel.sampleRate_Hz, 2e6, kRateAllowance));
         QVERIFY(recogniseDelimitedText("t.csv", text.toStdString()) > 0);
     }
 
@@ -259,7 +258,7 @@ private slots:
         QCOMPARE(channels.at(0).samples.at(29), 20.66);
         QCOMPARE(channels.at(1).samples.at(29), 1.2e-4);
         QCOMPARE(channels.at(1).name, std::string("Kanal 2"));
-        QVERIFY(near(channels.at(0).sampleRate_Hz, 1e8, kRateTolerance));
+        QVERIFY(near(channels.at(0).sampleRate_Hz, 1e8, kRateAllowance));
     }
 
     void read_skipRows_startsThere()
@@ -358,7 +357,7 @@ private slots:
                     const Index titles = values->size() - static_cast<Index>(read.size());
                     QVERIFY(titles == 0 || (titles == 1 && expected.firstColumn == 1));
                     QVERIFY(std::equal(read.begin(), read.end(), values->begin() + titles));
-                    QVERIFY(near(channels[i].sampleRate_Hz, rate_Hz, kRateTolerance));
+                    QVERIFY(near(channels[i].sampleRate_Hz, rate_Hz, kRateAllowance));
                     QVERIFY(near(rate_Hz, expected.rate_Hz, expected.tolerance));
                 }
                 ++here;
@@ -370,7 +369,5 @@ private slots:
     }
 };
 
-} // namespace dyncal
-
-DYNCAL_TEST(dyncal::TestDelimitedText)
+DYNCAL_TEST(TestDelimitedText)
 #include "tst_delimited_text.moc"

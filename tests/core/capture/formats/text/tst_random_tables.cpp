@@ -16,9 +16,8 @@
 
 #include <bit>
 
-namespace dyncal {
-
-using namespace testing;
+using namespace dyncal;
+using namespace dyncal::testing;
 
 namespace {
 
@@ -240,7 +239,5 @@ void TestRandomTables::preview_anyTable_showsWhatTheImportReads()
     }
 }
 
-} // namespace dyncal
-
-DYNCAL_TEST(dyncal::TestRandomTables)
+DYNCAL_TEST(TestRandomTables)
 #include "tst_random_tables.moc"

@@ -12,9 +12,8 @@
 
 #include <cmath>
 
-namespace dyncal {
-
-using namespace testing;
+using namespace dyncal;
+using namespace dyncal::testing;
 
 namespace {
 
@@ -77,7 +76,7 @@ private slots:
             QCOMPARE(channel.name, std::string("DUT"));
             QCOMPARE(channel.role, ChannelRole::Dut);
             QCOMPARE(channel.unit, units[i]);
-            QVERIFY(near(channel.sampleRate_Hz, 1.0 / kStep_s, kRateTolerance));
+            QVERIFY(near(channel.sampleRate_Hz, 1.0 / kStep_s, kRateAllowance));
             const std::vector<double> values = valuesOf(channel);
             QCOMPARE(values.size(), std::size_t(kRows));
             for (int row = 0; row < kRows; ++row)
@@ -142,7 +141,7 @@ private slots:
         QCOMPARE(set->shots.size(), std::size_t(2));
         QCOMPARE(set->shots[0].label, std::string("series 7, low"));
         QCOMPARE(set->shots[1].label, std::string("series 7, high"));
-        QVERIFY(near(set->shots[1].channels[0].sampleRate_Hz, 1e6, kRateTolerance));
+        QVERIFY(near(set->shots[1].channels[0].sampleRate_Hz, 1e6, kRateAllowance));
     }
 
     void tableWithoutTimes_hasShotsWithoutARate()
@@ -186,7 +185,5 @@ private slots:
     }
 };
 
-} // namespace dyncal
-
-DYNCAL_TEST(dyncal::TestShotColumns)
+DYNCAL_TEST(TestShotColumns)
 #include "tst_shot_columns.moc"

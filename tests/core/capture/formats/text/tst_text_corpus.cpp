@@ -11,9 +11,8 @@
 #include <QDirIterator>
 #include <QRegularExpression>
 
-namespace dyncal {
-
-using namespace testing;
+using namespace dyncal;
+using namespace dyncal::testing;
 
 namespace {
 
@@ -168,7 +167,5 @@ private slots:
     }
 };
 
-} // namespace dyncal
-
-DYNCAL_TEST(dyncal::TestTextCorpus)
+DYNCAL_TEST(TestTextCorpus)
 #include "tst_text_corpus.moc"

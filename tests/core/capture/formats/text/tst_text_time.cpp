@@ -15,9 +15,8 @@
 
 #include <QTemporaryDir>
 
-namespace dyncal {
-
-using namespace testing;
+using namespace dyncal;
+using namespace dyncal::testing;
 
 namespace {
 
@@ -411,7 +410,5 @@ private slots:
     }
 };
 
-} // namespace dyncal
-
-DYNCAL_TEST(dyncal::TestTextTime)
+DYNCAL_TEST(TestTextTime)
 #include "tst_text_time.moc"

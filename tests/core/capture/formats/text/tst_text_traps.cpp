@@ -15,9 +15,8 @@
 
 #include <random>
 
-namespace dyncal {
-
-using namespace testing;
+using namespace dyncal;
+using namespace dyncal::testing;
 
 namespace {
 
@@ -440,7 +439,5 @@ void TestTextTraps::time_columnsInPairs_needOneAxis()
     }
 }
 
-} // namespace dyncal
-
-DYNCAL_TEST(dyncal::TestTextTraps)
+DYNCAL_TEST(TestTextTraps)
 #include "tst_text_traps.moc"
