@@ -11,7 +11,9 @@
 #include <QDir>
 #include <QtTest>
 
+#include <algorithm>
 #include <set>
+#include <utility>
 
 using namespace dyncal;
 
@@ -50,6 +52,35 @@ QStringList linesOf(const CertificateData &certificate)
                     add(section, QString::fromStdString(english(table.caption)), cell);
     }
     return lines;
+}
+
+/// A line of a kept certificate as a program of today says it: other words, five digits of a
+/// temperature, and k = 2 where 1.96 was printed (with U of 2 u, whose two digits are the same
+/// here).
+QString inTodaysWords(QString line)
+{
+    constexpr std::pair<const char *, const char *> kWords[]{
+        {"Reference of the budget: p1_pa", "Reference standard: initial pressure"},
+        {"Reference of the budget: t1_k", "Reference standard: initial temperature"},
+        {"Reference of the budget: distance_m", "Reference standard: distance along the tube"},
+        {"Reference of the budget: gain_relative",
+            "Reference standard: gain of the measuring chain"},
+        {"Reference of the budget: clock_relative", "Reference standard: sample clock"},
+        {"GUM validated by Monte Carlo (JCGM 101): 1000 trials: ",
+            "Comparison of GUM and Monte Carlo (JCGM 101): 1000 trials: both agree for "},
+        {"294.1 K", "294.15 K"}, {"Relative humidity (ratio)", "Relative humidity"},
+        {" (k = 1.96)", " (k = 2)"}, {"Pressure steps: 1.96", "Pressure steps: 2"},
+        {"% of 99.18 % attainable with this noise",
+            "%; in this noise the true model would reach 99.18 % on average"}};
+    for (const auto &[then, now] : kWords)
+        line.replace(then, now);
+    return line;
+}
+
+/// Of a table that no kept certificate has.
+bool isNew(const QString &line)
+{
+    return line.contains("by Monte Carlo reaches beyond the one that U gives");
 }
 
 } // namespace
@@ -111,9 +142,10 @@ void TestKeptProjects::opened_isComputedAsItWasKept()
     const PipelineOutcome outcome
         = runPipeline(std::make_shared<const CaptureSet>(*sealed), opened->recipe, cache);
     QVERIFY2(!outcome.error, outcome.error ? english(outcome.error->message).c_str() : "");
-    const QStringList then = linesOf(kept->certificate);
-    const QStringList now
-        = linesOf(makeCertificate(outcome.results, opened->recipe, kept->savedUtc));
+    QStringList then = linesOf(kept->certificate);
+    std::ranges::transform(then, then.begin(), inTodaysWords);
+    QStringList now = linesOf(makeCertificate(outcome.results, opened->recipe, kept->savedUtc));
+    now.removeIf(isNew);
     QVERIFY(then.size() > 100);
     for (const QString &line : then)
         QVERIFY2(now.contains(line), qPrintable(line));

@@ -9,7 +9,6 @@
 #include "tests/support/made_token.h"
 #include "tests/support/test_program.h"
 #include "tests/ui/shell/registry/issuing_bench.h"
-#include "tests/ui/support/in_swedish.h"
 #include "ui/shell/registry/signing_choice.h"
 
 #include <QComboBox>
@@ -201,8 +200,10 @@ private slots:
 
     void refusalsOfTheCommand_areSwedishInASwedishWindow()
     {
-        const test::InSwedish swedish;
+        const auto restore = qScopeGuard([before = QLocale()] { QLocale::setDefault(before); });
         Bench bench(recording());
+        bench.find<QAction>("languageAction_sv")->trigger();
+        QTRY_COMPARE(bench.language.code(), QString("sv"));
         bench.choose(SigningWay::KeyFile);
         bench.type("signingKeyFile", m_keys.path("lab.p12"));
         bench.type("signingSecret", "annat-ord-88");
