@@ -1013,8 +1013,8 @@
         <translation>Empfindlichkeit des Referenzaufnehmers</translation>
     </message>
     <message>
-        <source>second-order sensor, as stated in the recipe</source>
-        <translation>Aufnehmer zweiter Ordnung, wie im Rezept angegeben</translation>
+        <source>second-order sensor, as stated by the laboratory: sensitivity %L1, natural frequency %L2, damping ratio %L3</source>
+        <translation>Aufnehmer zweiter Ordnung, nach Angabe des Laboratoriums: Empfindlichkeit %L1, Eigenfrequenz %L2, Dämpfungsgrad %L3</translation>
     </message>
     <message>
         <source>file with SHA-256 %1</source>

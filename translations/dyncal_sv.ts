@@ -7218,8 +7218,8 @@ steget</translation>
         <translation>Referensgivarens känslighet</translation>
     </message>
     <message>
-        <source>second-order sensor, as stated in the recipe</source>
-        <translation>givare av andra ordningen, enligt receptet</translation>
+        <source>second-order sensor, as stated by the laboratory: sensitivity %L1, natural frequency %L2, damping ratio %L3</source>
+        <translation>givare av andra ordningen, enligt laboratoriets uppgift: känslighet %L1, egenfrekvens %L2, dämpning %L3</translation>
     </message>
     <message>
         <source>file with SHA-256 %1</source>

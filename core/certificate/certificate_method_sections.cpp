@@ -123,7 +123,7 @@ CertificateSection methodSection(const CalibrationResults &results, const Recipe
         {"model_offset", {DYNCAL_TEXT("core", "Start of the model input after the onset"), {}},
             inNumbers(settingText(input.offset_s, "s")), false});
     addChoiceOfOrder(results, recipe, section);
-    for (CertificateField &field : referenceFields(results))
+    for (CertificateField &field : referenceFields(results, recipe))
         section.fields.push_back(std::move(field));
     if (auto field = monteCarloField(results))
         section.fields.push_back(std::move(*field));

@@ -8,7 +8,28 @@
 
 namespace dyncal {
 
-std::vector<CertificateField> referenceFields(const CalibrationResults &results)
+namespace {
+
+/// What the reference is taken for: the file that says it, or the numbers that stand in its place.
+Message sourceText(const ReferenceRecords &records, const ComparisonSettings &settings)
+{
+    if (!records.sourceSha256.empty())
+        return {DYNCAL_TEXT("core", "file with SHA-256 %1"), {records.sourceSha256}};
+    const ReferenceModel model = settings.model.value_or(ReferenceModel());
+    const auto words = [](double value, double u, const std::string &unit) {
+        return english(printedWithUncertainty(value, u, unit));
+    };
+    return {
+        DYNCAL_TEXT("core",
+            "second-order sensor, as stated by the laboratory: sensitivity %L1, natural frequency %L2, damping ratio %L3"),
+        {words(model.sensitivity, model.u_sensitivity, settings.unit),
+            words(model.f0_Hz, model.u_f0_Hz, "Hz"), words(model.zeta, model.u_zeta, "")}};
+}
+
+} // namespace
+
+std::vector<CertificateField> referenceFields(
+    const CalibrationResults &results, const Recipe &recipe)
 {
     const ReferenceRecords *records = results.reference ? results.reference->transducer() : nullptr;
     if (!records)
@@ -22,10 +43,7 @@ std::vector<CertificateField> referenceFields(const CalibrationResults &results)
             verbatim(records->certificate), false});
     fields.push_back(
         {"reference_source", {DYNCAL_TEXT("core", "Sensitivity of the reference transducer"), {}},
-            records->sourceSha256.empty()
-                ? Message{DYNCAL_TEXT("core", "second-order sensor, as stated in the recipe"), {}}
-                : Message{DYNCAL_TEXT("core", "file with SHA-256 %1"), {records->sourceSha256}},
-            false});
+            sourceText(*records, recipe.comparison), false});
     return fields;
 }
 

@@ -135,9 +135,9 @@ CertificateField referenceField(const BudgetEntry &entry, bool isOver)
         referenceText(entry, isOver), isOver, isOver};
 }
 
-/// Whether something that is stated of a free decay depends on it; there is no step, whose
-/// references a laboratory has in its profile all the same.
-bool isOfDecay(const BudgetEntry &entry, const CalibrationResults &results)
+/// Whether something that is stated without a step depends on it; the references of the step a
+/// laboratory has in its profile all the same.
+bool isOfModel(const BudgetEntry &entry, const CalibrationResults &results)
 {
     if (!results.uncertainty)
         return true;
@@ -153,9 +153,10 @@ void addBudgetReferences(
     const CalibrationResults &results, const Recipe &recipe, TraceFields &fields)
 {
     const std::string day = dayPerformed(recipe);
-    const bool isDecay = calibrationKind(results, recipe) == CalibrationKind::FreeDecay;
+    const CalibrationKind kind = calibrationKind(results, recipe);
+    const bool hasStep = kind != CalibrationKind::FreeDecay && kind != CalibrationKind::UnknownStep;
     for (const BudgetEntry &entry : recipe.uncertainty.budget) {
-        const bool isUsed = !isDecay || isOfDecay(entry, results);
+        const bool isUsed = hasStep || isOfModel(entry, results);
         if (isUsed && (!entry.certificate.empty() || !entry.due.empty()))
             fields.push_back(referenceField(entry, isOver(entry, day)));
     }

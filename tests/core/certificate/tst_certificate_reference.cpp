@@ -5,6 +5,7 @@
 
 #include "core/certificate/certificate.h"
 #include "core/certificate/certificate_reference.h"
+#include "core/certificate/certificate_words.h"
 #include "core/pipeline/calibration_kind.h"
 #include "core/pipeline/pipeline.h"
 #include "tests/support/reference_capture.h"
@@ -77,18 +78,25 @@ private slots:
         QVERIFY(calibrationKind(results, recipe) == CalibrationKind::ComputedStep);
         QCOMPARE(stepsUsed(results, recipe), results.shock.get());
         QVERIFY(comparisonSentence(results).has_value());
-        const std::vector<CertificateField> fields = referenceFields(results);
+        const std::vector<CertificateField> fields = referenceFields(results, recipe);
         QCOMPARE(fields.front().id, std::string("reference_channel"));
         QCOMPARE(english(fields.front().value), std::string("Reference"));
-        QVERIFY(english(fields.back().value).find("second-order") != std::string::npos);
+        const ReferenceModel &model = *recipe.comparison.model;
+        QCOMPARE(english(fields.back().value),
+            "second-order sensor, as stated by the laboratory: sensitivity "
+                + english(printedWithUncertainty(model.sensitivity, model.u_sensitivity, "V/Pa"))
+                + ", natural frequency "
+                + english(printedWithUncertainty(model.f0_Hz, model.u_f0_Hz, "Hz"))
+                + ", damping ratio "
+                + english(printedWithUncertainty(model.zeta, model.u_zeta, "")));
         QVERIFY(showsComparison(makeCertificate(results, recipe, {})));
     }
 
     void without_itSaysNothing()
     {
         const CalibrationResults results = run({});
-        QVERIFY(referenceFields(results).empty() && !comparisonSentence(results));
-        QVERIFY(referenceFields({}).empty() && !comparisonSentence({}));
+        QVERIFY(referenceFields(results, {}).empty() && !comparisonSentence(results));
+        QVERIFY(referenceFields({}, {}).empty() && !comparisonSentence({}));
         QVERIFY(stepsUsed({}, {}) == nullptr);
         QVERIFY(!showsComparison(makeCertificate(results, {}, {})));
     }

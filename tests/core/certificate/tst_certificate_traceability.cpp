@@ -107,11 +107,21 @@ private slots:
         QCOMPARE(english(valueWords("x")), "x");
     }
 
-    /// The references of a step are no part of a free decay.
-    void decay_namesOnlyWhatItDependsOn()
+    /// The references of a step are no part of a free decay, nor of a response without one.
+    void withoutAStep_onlyWhatTheModelDependsOnIsNamed_data()
     {
+        QTest::addColumn<bool>("isDecay");
+        QTest::newRow("free decay") << true;
+        QTest::newRow("shock not evaluated") << false;
+    }
+    void withoutAStep_onlyWhatTheModelDependsOnIsNamed()
+    {
+        QFETCH(bool, isDecay);
         Recipe made = recipe();
-        made.input.treatment = ResponseTreatment::Impulse;
+        if (isDecay)
+            made.input.treatment = ResponseTreatment::Impulse;
+        else
+            made.shock.enabled = false;
         made.uncertainty.budget.push_back({"clock_relative", 1e-6, "normal", {}, "C-1", ""});
         CalibrationResults results;
         UncertaintyReport report;
