@@ -8,7 +8,7 @@ set(DYNCAL_TESTS_MOST 8 CACHE STRING "Tests in a piece at most")
 
 # What cannot stand in a namespace, and macros that the next test would see: such a test stays alone.
 set(DYNCAL_TESTS_ALONE
-    "^namespace (dyncal|QTest|std)|^Q_DECLARE_METATYPE|^extern|^template <>|^ *#(if|define)")
+    "^namespace (dyncal|QTest|std)|^Q_DECLARE_METATYPE|^extern|^template <>|^ *#define")
 
 # dyncal_pieces_of_tests(pieces program source...): sets `pieces` to the sources of the program.
 # Qt's moc reads those in a piece, too, so they stay in the list, marked as not to be compiled.

@@ -12,8 +12,6 @@
 
 using namespace dyncal;
 
-Q_DECLARE_METATYPE(Recipe)
-
 namespace {
 
 struct Watched

@@ -22,8 +22,6 @@ using namespace dyncal;
 
 using Json = nlohmann::json;
 using CaptureChange = std::function<void(CaptureSet &)>;
-Q_DECLARE_METATYPE(CaptureChange)
-
 namespace {
 
 constexpr double kRate_Hz = 5e6;

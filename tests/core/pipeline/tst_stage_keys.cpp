@@ -74,9 +74,6 @@ int firstMoved(
 
 } // namespace
 
-Q_DECLARE_METATYPE(RecipeChange)
-Q_DECLARE_METATYPE(CaptureChange)
-
 class TestStageKeys : public QObject
 {
     Q_OBJECT

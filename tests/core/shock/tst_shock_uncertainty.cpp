@@ -78,8 +78,6 @@ const BudgetLine &lineOf(const GumBudget &budget, const char *quantity)
 
 } // namespace
 
-Q_DECLARE_METATYPE(dyncal::CoverageCase)
-
 class TestShockUncertainty : public QObject
 {
     Q_OBJECT

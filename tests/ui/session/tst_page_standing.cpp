@@ -58,9 +58,6 @@ WorkState accepted(WorkState work, const char *id, Index shot)
 
 } // namespace
 
-Q_DECLARE_METATYPE(dyncal::WorkState)
-Q_DECLARE_METATYPE(dyncal::PageStanding)
-
 class TestPageStanding : public QObject
 {
     Q_OBJECT
