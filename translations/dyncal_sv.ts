@@ -9918,10 +9918,6 @@ steget</translation>
         <translation>Certifikatet i %1 (%2) hör inte till den privata nyckeln där; ge det certifikat som gjordes för denna nyckel.</translation>
     </message>
     <message>
-        <source>The key in %1 is none to sign certificates with; take an RSA key of %2 bits or more, or one of an elliptic curve.</source>
-        <translation>Nyckeln i %1 är ingen att underteckna bevis med; ta en RSA-nyckel på minst %2 bitar, eller en av en elliptisk kurva.</translation>
-    </message>
-    <message>
         <source>The certificate of %1 is not for signatures: its key usage has neither digitalSignature nor nonRepudiation; take one that has.</source>
         <translation>Certifikatet för %1 är inte till för signaturer: dess nyckelanvändning har varken digitalSignature eller nonRepudiation; ta ett som har det.</translation>
     </message>
@@ -9940,10 +9936,6 @@ steget</translation>
     <message>
         <source>The time stamp (%1) is by an authority behind which none of the certificates of --trust stands, and does not count.</source>
         <translation>Tidsstämpeln (%1) är från en tjänst bakom vilken inget av certifikaten i --trust står, och räknas inte.</translation>
-    </message>
-    <message>
-        <source>The XML document cannot be signed: it must be sound, without document type and entities, of at most %1 bytes and not signed yet.</source>
-        <translation>XML-dokumentet kan inte signeras: det måste vara helt, utan dokumenttyp och entiteter, på högst %1 byte och ännu inte signerat.</translation>
     </message>
     <message>
         <source>What stands in the element %1 is not what was signed: it was changed.</source>
@@ -9972,10 +9964,6 @@ steget</translation>
     <message>
         <source>Only %1 is signed, %2 is not.</source>
         <translation>Bara %1 är signerad, %2 är det inte.</translation>
-    </message>
-    <message>
-        <source>%1 is signed by “%2”, %3 by “%4”.</source>
-        <translation>%1 är signerad av “%2”, %3 av “%4”.</translation>
     </message>
     <message>
         <source>The signature of %1 does not hold.</source>
@@ -10232,6 +10220,82 @@ steget</translation>
     <message>
         <source>gain of the reference&apos;s chain</source>
         <translation>förstärkning i referensens mätkedja</translation>
+    </message>
+    <message>
+        <source>Certificate %1 was issued before, without a signature, and stays so; for one that is signed issue an amendment by --amends %1 --reason TEXT.</source>
+        <translation>Bevis %1 utfärdades tidigare, utan signatur, och förblir så; för ett som är signerat, utfärda en ändring med --amends %1 --reason TEXT.</translation>
+    </message>
+    <message>
+        <source>It has no signature, and without the registry (--registry) or the folder of its certificate nothing else shows whether it is as it was issued.</source>
+        <translation>Den har ingen signatur, och utan registret (--registry) eller bevisets mapp visar inget annat om den är som den utfärdades.</translation>
+    </message>
+    <message>
+        <source>The passphrase is right, but %1 is encrypted in an old way (RC2 or the like) that is not opened any more; convert it by `openssl pkcs12 -legacy -in OLD.p12 -nodes | openssl pkcs12 -export -out NEW.p12`.</source>
+        <translation>Lösenfrasen stämmer, men %1 är krypterad på ett gammalt sätt (RC2 eller liknande) som inte längre öppnas; gör om den med `openssl pkcs12 -legacy -in OLD.p12 -nodes | openssl pkcs12 -export -out NEW.p12`.</translation>
+    </message>
+    <message>
+        <source>The PDF cannot be signed: a text in it has %1, by which signatures are found; take it out of the certificate&apos;s texts.</source>
+        <translation>PDF-filen kan inte signeras: en text i den innehåller %1, som signaturer hittas genom; ta bort det ur bevisets texter.</translation>
+    </message>
+    <message>
+        <source>The signature that covers the PDF is not that of the one signature field in its form: the PDF was changed after it was signed, or signed in another way than a certificate is.</source>
+        <translation>Signaturen som omfattar PDF-filen är inte den som hör till det enda signaturfältet i dess formulär: PDF-filen ändrades efter att den signerades, eller signerades på annat sätt än ett bevis.</translation>
+    </message>
+    <message>
+        <source>The PDF has more than one signature or signature field, and a certificate has one: something was added to it after it was signed.</source>
+        <translation>PDF-filen har mer än en signatur eller ett signaturfält, och ett bevis har en: något lades till efter att den signerades.</translation>
+    </message>
+    <message>
+        <source>The PDF around its signature cannot be read: it is damaged, or written in another form than certificates are.</source>
+        <translation>PDF-filen kring signaturen kan inte läsas: den är skadad, eller skriven i en annan form än bevis är.</translation>
+    </message>
+    <message>
+        <source>The PIN or passphrase in file descriptor %1 (--pin-fd) has a byte that is zero, as a text in UTF-16 has many; write it in UTF-8, in one line of 1 to %2 bytes.</source>
+        <translation>PIN-koden eller lösenfrasen i filbeskrivare %1 (--pin-fd) har en byte som är noll, som en text i UTF-16 har många av; skriv den i UTF-8, på en rad med 1 till %2 byte.</translation>
+    </message>
+    <message>
+        <source>The certificate of “%1” rests on %2, which is too weak to show who signed.</source>
+        <translation>Certifikatet för ”%1” vilar på %2, som är för svagt för att visa vem som signerade.</translation>
+    </message>
+    <message>
+        <source>The key in %1 (%3) is none to sign certificates with; take an RSA key of %2 bits or more (not RSA-PSS), or one of the curves P-256, P-384 and P-521.</source>
+        <translation>Nyckeln i %1 (%3) är ingen att signera bevis med; ta en RSA-nyckel på %2 bitar eller mer (inte RSA-PSS), eller en på någon av kurvorna P-256, P-384 och P-521.</translation>
+    </message>
+    <message>
+        <source>The certificate of “%1” is not for signatures of documents (extended key usage): it is one of a server or of a time-stamping authority.</source>
+        <translation>Certifikatet för ”%1” är inte till för signaturer av dokument (utökad nyckelanvändning): det är en servers eller en tidsstämplingstjänsts.</translation>
+    </message>
+    <message>
+        <source>The signature states that it was made at %1, and its time stamp is of %2: more than a day lies between them.</source>
+        <translation>Signaturen anger att den gjordes %1, och dess tidsstämpel är från %2: mer än ett dygn ligger emellan.</translation>
+    </message>
+    <message>
+        <source>The time-stamping authority refused to stamp this signature (PKIStatus %1, %2); ask those who run it, or take another by --tsa.</source>
+        <translation>Tidsstämplingstjänsten vägrade att stämpla signaturen (PKIStatus %1, %2); fråga dem som driver den, eller ta en annan med --tsa.</translation>
+    </message>
+    <message>
+        <source>The time stamp (%1) does not count.</source>
+        <translation>Tidsstämpeln (%1) räknas inte.</translation>
+    </message>
+    <message>
+        <source>The XML document cannot be signed: it must be sound, without document type and entities, without comments in the text of an element, of at most %1 bytes and not signed yet.</source>
+        <translation>XML-dokumentet kan inte signeras: det måste vara helt, utan dokumenttyp och entiteter, utan kommentarer i ett elements text, på högst %1 byte och ännu inte signerat.</translation>
+    </message>
+    <message>
+        <source>It is no XML document that is read: it may have at most %1 elements in %2 levels, and each with those around it at most %3 attributes and namespaces.</source>
+        <translation>Det är inget XML-dokument som läses: det får ha högst %1 element i %2 nivåer, och vart och ett med dem omkring högst %3 attribut och namnrymder.</translation>
+    </message>
+    <message>
+        <source>A comment or processing instruction stands in the text of an element, where the signature may not cover it and other programs may read another value; Dyncal writes none.</source>
+        <translation>En kommentar eller bearbetningsinstruktion står i ett elements text, där signaturen kanske inte omfattar den och andra program kan läsa ett annat värde; Dyncal skriver inga.</translation>
+    </message>
+    <message>
+        <source>The XML document has a comment or processing instruction, which Dyncal does not write and the signature may not cover: it may be anybody&apos;s.</source>
+        <translation>XML-dokumentet har en kommentar eller bearbetningsinstruktion, som Dyncal inte skriver och signaturen kanske inte omfattar: den kan vara vems som helst.</translation>
+    </message>
+    <message>
+        <source>%1 is signed by “%2”, %3 by “%4”, with another certificate: they were not issued together.</source>
+        <translation>%1 är signerad av ”%2”, %3 av ”%4”, med ett annat certifikat: de utfärdades inte tillsammans.</translation>
     </message>
 </context>
 <context>

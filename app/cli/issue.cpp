@@ -24,8 +24,10 @@
 #include "registry/issued/file_signatures.h"
 #include "ui/report/report_logo.h"
 
+#include <algorithm>
 #include <filesystem>
 #include <iostream>
+#include <iterator>
 #include <memory>
 
 namespace dyncal {
@@ -94,6 +96,19 @@ int conclude(const IssuedCertificate &issued, const Findings &cautions, bool jso
     return static_cast<int>(ExitCode::Done);
 }
 
+/// CER-011: a certificate that is issued stays as it is, also where a signature is asked for now.
+Findings signatureCautions(const IssuedCertificate &issued, const SigningOrder &signing)
+{
+    if (issued.isSigned || !signing.isSigned())
+        return {};
+    return {{.id = "CER-011",
+        .severity = Severity::Caution,
+        .message
+        = {DYNCAL_TEXT("core",
+               "Certificate %1 was issued before, without a signature, and stays so; for one that is signed issue an amendment by --amends %1 --reason TEXT."),
+            {std::to_string(issued.record.number)}}}};
+}
+
 /// Languages that were asked for come before those of the template.
 Result<ChosenTemplate> templateOf(const Recipe &recipe, const IssueOptions &options)
 {
@@ -122,7 +137,9 @@ Result<IssueAnswer> issueJob(ProjectState job, const IssueOptions &options)
     return issueCertificate(job, outcome, *layout, options.order)
         .map([&](IssuedCertificate issued) {
             const bool hasDcc = issued.record.files.contains(kDccFile); // one of long ago has none
-            Findings cautions = hasDcc ? countryCautions(job.recipe) : Findings();
+            Findings cautions = signatureCautions(issued, options.order.signing);
+            if (hasDcc)
+                std::ranges::copy(countryCautions(job.recipe), std::back_inserter(cautions));
             return IssueAnswer{std::move(issued), std::move(cautions)};
         });
 }

@@ -14,6 +14,7 @@ namespace dyncal {
 namespace {
 
 constexpr int kNoDescriptor = -1;
+constexpr int kLastDescriptor = 1023; ///< that a process has without asking for more
 
 Result<void> checkTogether(const SigningOptions &options)
 {
@@ -35,6 +36,18 @@ Result<void> checkTogether(const SigningOptions &options)
                  "core", "--pin-fd gives the PIN or passphrase of a key; name the key by --key."),
                 {}});
     return {};
+}
+
+/// What is wrong with a file descriptor as it was typed; "" where nothing is.
+std::string wrongDescriptor(const std::string &typed)
+{
+    constexpr std::size_t kMostDigits = 4;
+    const bool isNumber = !typed.empty() && typed.size() <= kMostDigits
+        && typed.find_first_not_of("0123456789") == std::string::npos;
+    if (isNumber && std::stoi(typed) <= kLastDescriptor)
+        return {};
+    return "it is the number of an open file descriptor, 0 to " + std::to_string(kLastDescriptor)
+        + ", as in `--pin-fd 3 3< FILE`";
 }
 
 /// No program that is started from here inherits it. A standard stream stays open, so that nothing
@@ -85,7 +98,7 @@ void declareSigning(CLI::App &verb, SigningOptions &options)
         ->type_name("FILE.p12|FILE.pem|pkcs11:URI");
     verb.add_option("--pin-fd", options.pinDescriptor,
             "Read the key's PIN or passphrase from this open file descriptor")
-        ->check(CLI::NonNegativeNumber)
+        ->check(CLI::Validator(wrongDescriptor, "", ""))
         ->type_name("N");
     verb.add_option("--seal-command", options.sealCommand,
             "Have this command sign the PDF: it gets the SHA-256, and answers with a CMS")

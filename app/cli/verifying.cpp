@@ -6,6 +6,7 @@
 #include "app/base/interrupt.h"
 #include "app/cli/project_job.h"
 
+#include "core/base/ascii_text.h"
 #include "core/base/content_hash.h"
 #include "core/capture/capture_seal.h"
 #include "core/capture/opening/capture_open.h"
@@ -179,6 +180,13 @@ Verified verifySingle(
         return one;
     const auto record
         = registry ? certificateWithFile(*registry, sha256OfFile(path)) : std::nullopt;
+    if (!registry && signedKindOf(path) != SignedKind::None) {
+        one.remarks.push_back(
+            {DYNCAL_TEXT("core",
+                 "It has no signature, and without the registry (--registry) or the folder of its certificate nothing else shows whether it is as it was issued."),
+                {}});
+        return one;
+    }
     if (!registry || !record) {
         if (registry)
             return unreadable(one, record.error());
@@ -239,10 +247,10 @@ std::vector<Verified> verifyOne(
         return {unreadable({.file = file, .kind = "file"},
             {ErrorKind::FileUnreadable,
                 {DYNCAL_TEXT("core", "The file %1 does not exist."), {file}}, {}, 0})};
-    const std::string extension = fs::path(file).extension().string();
+    const std::string extension = lowerCase(fs::path(file).extension().string());
     if (extension == ".dyncal")
         return {verifyProject(file)};
-    if (extension == ".pdf" || extension == ".json" || extension == ".jsonl" || extension == ".xml")
+    if (extension == ".json" || extension == ".jsonl" || signedKindOf(file) != SignedKind::None)
         return {verifySingle(file, registry, options.trust)};
     return {verifyRecording(file)};
 }

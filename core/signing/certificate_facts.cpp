@@ -5,6 +5,7 @@
 
 #include <openssl/x509v3.h>
 
+#include <algorithm>
 #include <array>
 #include <cstdio>
 
@@ -74,6 +75,21 @@ bool maySign(X509 *certificate)
 {
     // All bits are set where the certificate states no usage.
     return (X509_get_key_usage(certificate) & (KU_DIGITAL_SIGNATURE | KU_NON_REPUDIATION)) != 0;
+}
+
+bool isForOtherUse(const X509 *certificate)
+{
+    constexpr std::array kOthers{NID_server_auth, NID_time_stamp, NID_OCSP_sign};
+    const std::unique_ptr<EXTENDED_KEY_USAGE, openssl::Freed<&EXTENDED_KEY_USAGE_free>> uses(
+        static_cast<EXTENDED_KEY_USAGE *>(
+            X509_get_ext_d2i(certificate, NID_ext_key_usage, nullptr, nullptr)));
+    int others = 0;
+    for (int i = 0; uses && i < sk_ASN1_OBJECT_num(uses.get()); ++i)
+        others += std::ranges::find(kOthers, OBJ_obj2nid(sk_ASN1_OBJECT_value(uses.get(), i)))
+                != kOthers.end()
+            ? 1
+            : 0;
+    return others > 0 && others == sk_ASN1_OBJECT_num(uses.get());
 }
 
 } // namespace dyncal

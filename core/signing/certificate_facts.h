@@ -28,4 +28,8 @@ bool isValidAt(const X509 *certificate, const std::string &utc);
 /// one, has digitalSignature or nonRepudiation (RFC 5280, 4.2.1.3).
 bool maySign(X509 *certificate);
 
+/// Whether it is for other things alone: its extended key usage, where it states one, names only
+/// servers of the web, time stamps and answers on revocation (RFC 5280, 4.2.1.12).
+bool isForOtherUse(const X509 *certificate);
+
 } // namespace dyncal

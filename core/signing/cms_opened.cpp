@@ -33,11 +33,6 @@ int hashOf(const OpenedCms &opened)
     return OBJ_obj2nid(object);
 }
 
-bool isAccepted(int hash)
-{
-    return std::ranges::find(kAcceptedHashes, hash) != kAcceptedHashes.end();
-}
-
 /// The one value of a signed attribute; null where it is not there once, with one value.
 const ASN1_TYPE *valueOf(const OpenedCms &opened, int nid)
 {
@@ -144,16 +139,21 @@ Bytes bytesOfHex(std::string_view digits)
     return bytes;
 }
 
+bool isAcceptedHash(int hash)
+{
+    return std::ranges::find(kAcceptedHashes, hash) != kAcceptedHashes.end();
+}
+
 const EVP_MD *digestAlgorithm(const OpenedCms &opened)
 {
     const int hash = hashOf(opened);
-    return isAccepted(hash) ? EVP_get_digestbynid(hash) : EVP_sha256();
+    return isAcceptedHash(hash) ? EVP_get_digestbynid(hash) : EVP_sha256();
 }
 
 std::optional<Message> faultOf(const OpenedCms &opened, const Bytes &digest)
 {
     std::optional<Message> fault;
-    if (!isAccepted(hashOf(opened)))
+    if (!isAcceptedHash(hashOf(opened)))
         fault = Message{
             DYNCAL_TEXT("core",
                 "The signature rests on a hash that is not accepted: SHA-256, SHA-384 and SHA-512 are."),

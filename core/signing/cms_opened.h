@@ -33,6 +33,9 @@ Result<OpenedCms> openCms(std::string_view der);
 /// Bytes of hexadecimal digits; of a wrong one and all behind it none.
 Bytes bytesOfHex(std::string_view digits);
 
+/// SHA-256, SHA-384 and SHA-512, by their numbers in OpenSSL.
+bool isAcceptedHash(int hash);
+
 /// Hash with which its signer works: SHA-256 where it is none that is accepted (faultOf() says so).
 const EVP_MD *digestAlgorithm(const OpenedCms &opened);
 

@@ -6,6 +6,7 @@
 #include "core/signing/cms_opened.h"
 #include "core/signing/key_material.h"
 #include "core/signing/raw_signature.h"
+#include "core/signing/signer_fitness.h"
 #include "core/signing/signer_standing.h"
 #include "core/signing/time_stamp_check.h"
 
@@ -131,6 +132,17 @@ std::optional<Message> faultOfCms(std::string_view der, const std::string &sha25
 {
     const Result<openssl::OpenedCms> opened = openssl::openCms(der);
     return opened ? openssl::faultOf(*opened, openssl::bytesOfHex(sha256)) : opened.error().message;
+}
+
+Result<void> checkSignerOfCms(
+    std::string_view der, const std::string &source, const std::string &utc)
+{
+    const Result<openssl::OpenedCms> opened = openssl::openCms(der);
+    if (!opened)
+        return tl::unexpected<Error>(opened.error());
+    if (const Result<void> fit = checkFitToSign(opened->certificate, source); !fit)
+        return fit;
+    return checkSignerValidAt(opened->certificate, utc);
 }
 
 } // namespace dyncal

@@ -30,4 +30,10 @@ SignatureCheck checkCms(std::string_view der, const std::vector<std::string_view
 /// signature over it at all. A sentence says why not.
 std::optional<Message> faultOfCms(std::string_view der, const std::string &sha256);
 
+/// Whether the signer of a CMS is one that may sign certificates now, as of a key (SigningKey):
+/// fails (DataBlocked) where it is none, (Usage) where its key is not strong, its certificate not
+/// for signatures or not valid at `utc`. `source`: who gave it, for the sentence.
+Result<void> checkSignerOfCms(
+    std::string_view der, const std::string &source, const std::string &utc);
+
 } // namespace dyncal

@@ -60,6 +60,25 @@ tl::unexpected<Error> noKey(const std::string &path)
             {path}});
 }
 
+/// Whether the library just refused a cipher: those of old PKCS#12 files are not in it any more.
+bool isOfOldCipher()
+{
+    for (unsigned long code = ERR_get_error(); code != 0; code = ERR_get_error())
+        if (ERR_GET_REASON(code) == ERR_R_UNSUPPORTED
+            || (ERR_GET_LIB(code) == ERR_LIB_EVP
+                && ERR_GET_REASON(code) == EVP_R_UNSUPPORTED_ALGORITHM))
+            return true;
+    return false;
+}
+
+tl::unexpected<Error> oldCipher(const std::string &path)
+{
+    return fail(ErrorKind::Usage,
+        {DYNCAL_TEXT("core",
+             "The passphrase is right, but %1 is encrypted in an old way (RC2 or the like) that is not opened any more; convert it by `openssl pkcs12 -legacy -in OLD.p12 -nodes | openssl pkcs12 -export -out NEW.p12`."),
+            {path}});
+}
+
 std::vector<openssl::Certificate> ownedFrom(STACK_OF(X509) * stack)
 {
     std::vector<openssl::Certificate> list;
@@ -78,8 +97,12 @@ Result<KeyMaterial> readPkcs12(PKCS12 *file, const std::string &path, const Secr
     EVP_PKEY *key = nullptr;
     X509 *certificate = nullptr;
     STACK_OF(X509) *others = nullptr;
-    if (PKCS12_parse(file, secret.text(), &key, &certificate, &others) != 1)
+    ERR_clear_error();
+    if (PKCS12_parse(file, secret.text(), &key, &certificate, &others) != 1) {
+        if (hasMac && isOfOldCipher())
+            return oldCipher(path);
         return hasMac ? noKey(path) : wrongSecret(path, secret);
+    }
     KeyMaterial state;
     state.key.reset(key);
     state.certificate.reset(certificate);
@@ -106,26 +129,48 @@ int answer(char *place, int room, int, void *data)
     return static_cast<int>(asked.secret.size());
 }
 
+/// All private keys of a PEM text that open.
+std::vector<openssl::PrivateKey> keysIn(std::string_view bytes, Asked &asked)
+{
+    std::vector<openssl::PrivateKey> keys;
+    const openssl::Bio in = openssl::bioOn(bytes);
+    while (EVP_PKEY *one = PEM_read_bio_PrivateKey(in.get(), nullptr, &answer, &asked))
+        keys.emplace_back(one);
+    return keys;
+}
+
+std::vector<openssl::Certificate>::iterator certificateOf(
+    EVP_PKEY *key, std::vector<openssl::Certificate> &certificates)
+{
+    return std::ranges::find_if(certificates, [&](const openssl::Certificate &one) {
+        return X509_check_private_key(one.get(), key) == 1;
+    });
+}
+
 Result<KeyMaterial> readPem(
     std::string_view bytes, const std::string &path, const SecretBytes &secret)
 {
-    KeyMaterial state;
     Asked asked{secret};
-    const openssl::Bio in = openssl::bioOn(bytes);
-    state.key.reset(PEM_read_bio_PrivateKey(in.get(), nullptr, &answer, &asked));
-    if (!state.key && asked.wasAsked)
+    std::vector<openssl::PrivateKey> keys = keysIn(bytes, asked);
+    if (keys.empty() && asked.wasAsked)
         return wrongSecret(path, secret);
+    KeyMaterial state;
     state.chain = certificatesIn(bytes);
-    if (!state.key || state.chain.empty())
+    if (keys.empty() || state.chain.empty())
         return noKey(path);
-    const auto own = std::ranges::find_if(state.chain, [&](const openssl::Certificate &one) {
-        return X509_check_private_key(one.get(), state.key.get()) == 1;
-    });
-    ERR_clear_error(); // of those that are not
-    // With none of them the first is taken, and found not to belong to the key.
-    const auto taken = own == state.chain.end() ? state.chain.begin() : own;
-    state.certificate = std::move(*taken);
-    state.chain.erase(taken);
+    // With no pair the first of both are taken, and found not to belong together.
+    auto key = keys.begin();
+    auto certificate = state.chain.begin();
+    for (auto one = keys.begin(); one != keys.end(); ++one)
+        if (const auto own = certificateOf(one->get(), state.chain); own != state.chain.end()) {
+            key = one;
+            certificate = own;
+            break;
+        }
+    ERR_clear_error(); // of those that are none
+    state.key = std::move(*key);
+    state.certificate = std::move(*certificate);
+    state.chain.erase(certificate);
     return state;
 }
 

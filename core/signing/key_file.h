@@ -9,8 +9,9 @@
 
 namespace dyncal {
 
-/// Key and certificates of a PKCS#12 or PEM file, whichever it is; of a PEM file the certificate is
-/// the one that belongs to the key, wherever it stands. Errors as SigningKey::open() has them.
+/// Key and certificates of a PKCS#12 or PEM file, whichever it is; of a PEM file the first key
+/// to which one of its certificates belongs, wherever they stand. Errors as SigningKey::open() has
+/// them.
 Result<KeyMaterial> keyOfFile(const std::string &path, const SecretBytes &secret);
 
 } // namespace dyncal

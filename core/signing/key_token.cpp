@@ -3,6 +3,8 @@
 
 #include "core/signing/key_token.h"
 
+#include "core/base/ascii_text.h"
+
 #include <openssl/engine.h>
 #include <openssl/ui.h>
 
@@ -59,6 +61,13 @@ std::string valueOf(const std::vector<std::string> &attributes, const std::strin
         if (one.starts_with(name + '='))
             return decoded(std::string_view(one).substr(name.size() + 1));
     return {};
+}
+
+/// Name of an attribute as it is meant: RFC 3986 lets letters stand as codes, and people hold the
+/// shift key.
+std::string nameOf(std::string_view attribute)
+{
+    return lowerCase(decoded(attribute.substr(0, attribute.find('='))));
 }
 
 /// The same object as "private" or "cert", without what the engine need not know.
@@ -141,13 +150,18 @@ tl::unexpected<Error> noTokenKey(const std::string &uri, const SecretBytes &pin)
 
 bool isTokenUri(const std::string &source)
 {
-    return source.starts_with(kScheme);
+    return lowerCase(source.substr(0, kScheme.size())) == kScheme;
+}
+
+std::string shownSource(const std::string &source)
+{
+    return isTokenUri(source) ? source.substr(0, source.find('?')) : source;
 }
 
 Result<void> checkTokenUri(const std::string &uri)
 {
     for (const std::string &one : attributesOf(uri))
-        if (one.starts_with("pin-value=") || one.starts_with("pin-source="))
+        if (nameOf(one).starts_with("pin")) // pin-value, pin-source, and misspelt
             return fail(ErrorKind::Usage,
                 {DYNCAL_TEXT("core",
                      "The URI of the token holds a PIN, which others could read in the list of processes; leave it out and give the PIN by --pin-fd N, or in its field of the window."),
@@ -169,14 +183,14 @@ Result<KeyMaterial> keyOfToken(const std::string &uri, const SecretBytes &pin)
     state.key.reset(ENGINE_load_private_key(engine->get(), uriOfType(attributes, "private").c_str(),
         const_cast<UI_METHOD *>(UI_null()), nullptr));
     if (!state.key)
-        return noTokenKey(uri, pin);
+        return noTokenKey(shownSource(uri), pin);
     state.certificate = certificateOf(engine->get(), uriOfType(attributes, "cert"));
     ERR_clear_error();
     if (!state.certificate)
         return fail(ErrorKind::Usage,
             {DYNCAL_TEXT("core",
                  "The token has no certificate under %1; write the key's certificate into it under the same id (pkcs11-tool --write-object FILE --type cert --id ID)."),
-                {uri}});
+                {shownSource(uri)}});
     return state;
 }
 

@@ -5,6 +5,7 @@
 
 #include "core/base/content_hash.h"
 #include "core/signing/cms_signature.h"
+#include "core/signing/pdf_signature_field.h"
 
 #include <algorithm>
 #include <array>
@@ -66,9 +67,8 @@ std::size_t derSize(string_view der)
 }
 
 /// The last signature of a file: what it covers, and its dictionary.
-struct FoundSignature
+struct FoundSignature : PdfSignaturePlace
 {
-    std::size_t holeBegin = 0, holeEnd = 0, end = 0;
     string_view dictionary;
 };
 
@@ -94,7 +94,7 @@ std::optional<FoundSignature> rangeAt(string_view text)
     const bool isSound = rest.starts_with(']') && numbers[0] == 0 && numbers[1] < numbers[2]
         && numbers[3] <= SIZE_MAX - numbers[2];
     return isSound
-        ? std::optional(FoundSignature{numbers[1], numbers[2], numbers[2] + numbers[3], {}})
+        ? std::optional(FoundSignature{{numbers[1], numbers[2], numbers[2] + numbers[3]}, {}})
         : std::nullopt;
 }
 
@@ -157,6 +157,12 @@ SignatureCheck changed(Message difference)
     return {.status = SignatureCheck::Status::Changed, .difference = std::move(difference)};
 }
 
+/// Beside the last signature: an update may have brought one that covers what another changed.
+bool hasEarlierRange(string_view pdf)
+{
+    return pdf.find(kRange) != pdf.rfind(kRange);
+}
+
 Message notCovered(const FoundSignature &found, std::size_t size)
 {
     if (found.end < size)
@@ -177,6 +183,11 @@ Result<std::string> signedPdf(
     Result<UnsignedIncrement> update = withSignatureField(pdf, words);
     if (!update)
         return tl::unexpected<Error>(update.error());
+    if (hasEarlierRange(update->bytes))
+        return fail(ErrorKind::FileUnreadable,
+            {DYNCAL_TEXT("core",
+                 "The PDF cannot be signed: a text in it has %1, by which signatures are found; take it out of the certificate's texts."),
+                {std::string(kRange)}});
     const string_view all = update->bytes;
     Sha256 hash;
     hash.add(bytesOf(all.substr(0, update->holeBegin)));
@@ -203,6 +214,8 @@ SignatureCheck checkPdfSignature(string_view pdf, const TrustSettings &trust)
         return changed({DYNCAL_TEXT("core", "The signature of the PDF is damaged."), {}});
     if (found->end != pdf.size())
         return changed(notCovered(*found, pdf.size()));
+    if (hasEarlierRange(pdf))
+        return changed(severalSignatures());
     const std::string cms = cmsIn(pdf, *found);
     if (cms.empty())
         return changed(
@@ -216,6 +229,8 @@ SignatureCheck checkPdfSignature(string_view pdf, const TrustSettings &trust)
             {DYNCAL_TEXT("core", "Signed are the bytes 0 to %1 and %2 to %3 of the PDF."),
                 {std::to_string(found->holeBegin), std::to_string(found->holeEnd),
                     std::to_string(found->end)}});
+    else if (std::optional<Message> fault = faultOfField(pdf, *found))
+        return changed(std::move(*fault));
     return check;
 }
 

@@ -17,14 +17,15 @@ using CmsOfHash = std::function<Result<std::string>(const std::string &sha256)>;
 
 /// Signs a PDF by an incremental update behind it (withSignatureField), of which no byte but the
 /// hole of the signature is left unsigned. Fails as withSignatureField() and `cmsOf` do, and
-/// (DataBlocked) where the CMS has no room (kCmsRoom).
+/// (DataBlocked) where the CMS has no room (kCmsRoom); (FileUnreadable) also where a text in it
+/// looks like a signature.
 Result<std::string> signedPdf(
     const std::string &pdf, const PdfSignatureWords &words, const CmsOfHash &cmsOf);
 
-/// Holds the last signature of a PDF against the file. It must cover all of the file but its own
-/// hole, which holds the CMS and zeros behind it: so no reading of the PDF's objects can be misled,
-/// and nothing is read but the dictionary of the signature. A PDF without any trace of a signature
-/// is Unsigned. Not looked at: whether certificates were revoked.
+/// Holds the signature of a PDF against the file. It must be the only one, cover all of the file
+/// but its own hole, which holds the CMS and zeros behind it, and be the one that readers show
+/// (faultOfField). A PDF without any trace of a signature is Unsigned. Not looked at: whether
+/// certificates were revoked.
 SignatureCheck checkPdfSignature(std::string_view pdf, const TrustSettings &trust);
 
 /// Bytes of the PDF before its signature's update, which are the same whoever signs and whenever;

@@ -68,8 +68,14 @@ Result<SecretBytes> SecretBytes::readFrom(int descriptor)
     const void *line = std::memchr(bytes, '\n', size);
     if (line != nullptr)
         size = static_cast<std::size_t>(static_cast<const char *>(line) - bytes);
-    const bool isFit
-        = got >= 0 && size > 0 && size <= kMost && std::memchr(bytes, 0, size) == nullptr;
+    if (line != nullptr && size > 0 && bytes[size - 1] == '\r') // a line of Windows
+        --size;
+    if (std::memchr(bytes, 0, size) != nullptr)
+        return fail(ErrorKind::Usage,
+            {DYNCAL_TEXT("core",
+                 "The PIN or passphrase in file descriptor %1 (--pin-fd) has a byte that is zero, as a text in UTF-16 has many; write it in UTF-8, in one line of 1 to %2 bytes."),
+                {std::to_string(descriptor), std::to_string(kMost)}});
+    const bool isFit = got >= 0 && size > 0 && size <= kMost;
     if (!isFit)
         return fail(ErrorKind::Usage,
             {DYNCAL_TEXT("core",

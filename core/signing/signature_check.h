@@ -19,13 +19,15 @@ struct TrustSettings
 };
 
 /// What is known of the signature of a document. Only Valid says that the bytes are the signer's
-/// and the signer is known; UnknownSigner and Expired say that the bytes are as they were signed.
+/// and the signer is known by certificates that are strong enough; UnknownSigner and Expired say
+/// that the bytes are as they were signed.
 struct SignatureCheck
 {
     enum class Status { Valid, Unsigned, Changed, UnknownSigner, Expired };
 
     Status status = Status::Unsigned;
     std::string signer = {}; ///< name in its certificate; known only for bytes that are unchanged
+    std::string certificate = {}; ///< SHA-256 of that certificate, 64 hexadecimal digits
     std::string signedUtc = {}; ///< as the signature states it; empty: not stated
     std::string stampedUtc = {}; ///< by a time stamp that is right; empty: none
     std::optional<Message> difference = {}; ///< of Changed

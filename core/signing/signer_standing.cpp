@@ -3,12 +3,16 @@
 
 #include "core/signing/signer_standing.h"
 
+#include "core/base/calendar_date.h"
+#include "core/base/content_hash.h"
 #include "core/signing/certificate_facts.h"
+#include "core/signing/signer_fitness.h"
 
 #include <openssl/pem.h>
 #include <openssl/x509_vfy.h>
 
 #include <algorithm>
+#include <cmath>
 
 namespace dyncal {
 namespace {
@@ -74,6 +78,32 @@ void judgeTimes(const Certificates &chain, const std::string &now, SignatureChec
             check);
 }
 
+void remarkUse(X509 *signer, SignatureCheck &check)
+{
+    if (!maySign(signer))
+        check.remarks.push_back(
+            {DYNCAL_TEXT("core", "The certificate of “%1” is not for signatures (key usage)."),
+                {check.signer}});
+    if (isForOtherUse(signer))
+        check.remarks.push_back(
+            {DYNCAL_TEXT("core",
+                 "The certificate of “%1” is not for signatures of documents (extended key usage): it is one of a server or of a time-stamping authority."),
+                {check.signer}});
+}
+
+/// The stamp is put over the signature as soon as it is made.
+void remarkMoments(SignatureCheck &check)
+{
+    constexpr double kMostDays = 1;
+    const std::optional<double> signedAt = daysSince1970(check.signedUtc);
+    const std::optional<double> stampedAt = daysSince1970(check.stampedUtc);
+    if (signedAt && stampedAt && std::abs(*stampedAt - *signedAt) > kMostDays)
+        check.remarks.push_back(
+            {DYNCAL_TEXT("core",
+                 "The signature states that it was made at %1, and its time stamp is of %2: more than a day lies between them."),
+                {check.signedUtc, check.stampedUtc}});
+}
+
 } // namespace
 
 Certificates certificatesIn(std::string_view pem)
@@ -109,6 +139,7 @@ void judgeSigner(
 {
     check.status = SignatureCheck::Status::Valid;
     check.signer = subjectName(signer);
+    check.certificate = sha256Hex(std::string_view(openssl::derOf(signer, &i2d_X509)));
     Certificates chain = chainToAnchor(signer, others, trust.anchors, X509_PURPOSE_ANY);
     const bool isKnown = !chain.empty();
     if (!isKnown) { // its own times are known all the same
@@ -118,10 +149,12 @@ void judgeSigner(
     judgeTimes(chain, trust.utc, check);
     if (!isKnown)
         remarkUnknown(trust, check);
-    if (!maySign(signer))
-        check.remarks.push_back(
-            {DYNCAL_TEXT("core", "The certificate of “%1” is not for signatures (key usage)."),
-                {check.signer}});
+    if (std::optional<Message> weakness = weaknessOf(chain)) {
+        check.status = SignatureCheck::Status::UnknownSigner;
+        check.remarks.push_back(std::move(*weakness));
+    }
+    remarkUse(signer, check);
+    remarkMoments(check);
 }
 
 } // namespace dyncal

@@ -19,7 +19,8 @@ std::vector<openssl::Certificate> chainToAnchor(
 
 /// Puts what is known of the signer into the check of unchanged bytes: Valid, UnknownSigner or
 /// Expired, with remarks. The certificates must be valid at the moment of the time stamp, if there
-/// is one; else at the moment that the signature states and at that of looking.
+/// is one; else at the moment that the signature states and at that of looking. A signer whose
+/// certificates are too weak (weaknessOf) is unknown: others may have forged them.
 void judgeSigner(
     X509 *signer, STACK_OF(X509) * others, const TrustSettings &trust, SignatureCheck &check);
 

@@ -22,9 +22,9 @@ public:
     /// of a token's key and certificate; the token's library is the URI's module-path, else
     /// PKCS11_MODULE_PATH of the environment. Fails (FileUnreadable) where a file cannot be read;
     /// (Usage) where the secret is missing or wrong, key and certificate do not belong together,
-    /// the key is none of RSA of 2048 bits or more or of an elliptic curve, or the certificate is
-    /// not for signatures. A token that this process has opened stays open for it. A URI that holds
-    /// a PIN is refused: it would be seen in lists of processes.
+    /// the key is none of RSA of 2048 bits or more or of the curves P-256, P-384 and P-521, or the
+    /// certificate is not for signatures. A token that this process has opened stays open for it. A
+    /// URI that holds a PIN is refused: it would be seen in lists of processes.
     static Result<SigningKey> open(const std::string &source, const SecretBytes &secret);
 
     /// Name of the certificate's subject.

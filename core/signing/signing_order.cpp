@@ -13,11 +13,24 @@
 namespace dyncal {
 namespace {
 
-Result<std::string> cmsOf(
-    const std::string &sha256, const SigningOrder &order, const std::stop_token &stop)
+/// The seal of a service whose certificate may sign now: what a key's must be before it is opened.
+Result<std::string> sealOf(const std::string &sha256, const SigningOrder &order,
+    const std::string &utc, const std::stop_token &stop)
+{
+    const Result<std::string> cms = sealedBy(order.sealCommand, sha256, stop);
+    if (cms)
+        if (const Result<void> fit
+            = checkSignerOfCms(*cms, wordsOfCommand(order.sealCommand)->front(), utc);
+            !fit)
+            return tl::unexpected<Error>(fit.error());
+    return cms;
+}
+
+Result<std::string> cmsOf(const std::string &sha256, const SigningOrder &order,
+    const std::string &utc, const std::stop_token &stop)
 {
     const Result<std::string> cms
-        = order.key ? cmsOfHash(sha256, *order.key) : sealedBy(order.sealCommand, sha256, stop);
+        = order.key ? cmsOfHash(sha256, *order.key) : sealOf(sha256, order, utc, stop);
     if (!cms || order.authority.empty())
         return cms;
     return withTimeStamp(*cms, [&](const std::string &request) {
@@ -47,7 +60,7 @@ Result<std::string> signedCertificate(const std::string &pdf, const SigningOrder
             return tl::unexpected<Error>(valid.error());
     const PdfSignatureWords words{order.key ? signerOf(order) : kSealName, utc};
     return signedPdf(
-        pdf, words, [&](const std::string &sha256) { return cmsOf(sha256, order, stop); });
+        pdf, words, [&](const std::string &sha256) { return cmsOf(sha256, order, utc, stop); });
 }
 
 } // namespace dyncal

@@ -36,7 +36,8 @@ Result<std::string> signedDcc(const std::string &xml, const SigningOrder &order)
 
 /// The PDF with everything embedded, signed: the last thing that is done to it. `utc` is the moment
 /// of signing, ISO 8601, which the PDF states and at which the certificate must be valid. Fails as
-/// signedPdf(), cmsOfHash(), sealedBy() and withTimeStamp() do. Without an order it stays as it is.
+/// signedPdf(), cmsOfHash(), sealedBy(), checkSignerOfCms() and withTimeStamp() do. Without an
+/// order it stays as it is.
 Result<std::string> signedCertificate(const std::string &pdf, const SigningOrder &order,
     const std::string &utc, const std::stop_token &stop);
 

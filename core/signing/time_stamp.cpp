@@ -3,6 +3,7 @@
 
 #include "core/signing/time_stamp.h"
 
+#include "core/base/foreign_text.h"
 #include "core/signing/cms_opened.h"
 #include "core/signing/time_stamp_check.h"
 
@@ -52,11 +53,29 @@ std::string requestOver(std::string_view signature)
     return openssl::derOf(request.get(), &i2d_TS_REQ);
 }
 
+long statusOf(TS_RESP *reply)
+{
+    return ASN1_INTEGER_get(TS_STATUS_INFO_get0_status(TS_RESP_get_status_info(reply)));
+}
+
 bool isGranted(TS_RESP *reply)
 {
-    const long status
-        = ASN1_INTEGER_get(TS_STATUS_INFO_get0_status(TS_RESP_get_status_info(reply)));
+    const long status = statusOf(reply);
     return status == TS_STATUS_GRANTED || status == TS_STATUS_GRANTED_WITH_MODS;
+}
+
+/// What the authority says of it; "-" where it says nothing.
+std::string wordsOf(TS_RESP *reply)
+{
+    const STACK_OF(ASN1_UTF8STRING) *texts
+        = TS_STATUS_INFO_get0_text(TS_RESP_get_status_info(reply));
+    const ASN1_UTF8STRING *text
+        = sk_ASN1_UTF8STRING_num(texts) > 0 ? sk_ASN1_UTF8STRING_value(texts, 0) : nullptr;
+    const int size = text != nullptr ? ASN1_STRING_length(text) : 0;
+    return size <= 0
+        ? std::string("-")
+        : presentableInBrief({reinterpret_cast<const char *>(ASN1_STRING_get0_data(text)),
+            static_cast<std::size_t>(size)});
 }
 
 bool hasNonce(TS_RESP *reply, std::string_view signature)
@@ -69,11 +88,15 @@ bool hasNonce(TS_RESP *reply, std::string_view signature)
         == std::string_view(reinterpret_cast<const char *>(nonce.data()), nonce.size());
 }
 
-/// The token in a reply that grants it for this signature; empty otherwise.
-std::string tokenIn(std::string_view reply, std::string_view signature)
+Reply openedReply(std::string_view reply)
 {
     const unsigned char *place = openssl::bytesOf(reply);
-    const Reply opened(d2i_TS_RESP(nullptr, &place, static_cast<long>(reply.size())));
+    return Reply(d2i_TS_RESP(nullptr, &place, static_cast<long>(reply.size())));
+}
+
+/// The token in a reply that grants it for this signature; empty otherwise.
+std::string tokenIn(const Reply &opened, std::string_view signature)
+{
     if (!opened || !isGranted(opened.get()) || TS_RESP_get_token(opened.get()) == nullptr
         || !hasNonce(opened.get(), signature))
         return {};
@@ -94,8 +117,14 @@ Result<std::string> withTimeStamp(const std::string &cms, const AskAuthority &as
     const Result<std::string> reply = ask(requestOver(signature));
     if (!reply)
         return reply;
-    const std::string token = tokenIn(*reply, signature);
+    const Reply answer = openedReply(*reply);
+    const std::string token = tokenIn(answer, signature);
     ERR_clear_error();
+    if (answer && !isGranted(answer.get()))
+        return fail(ErrorKind::DataBlocked,
+            {DYNCAL_TEXT("core",
+                 "The time-stamping authority refused to stamp this signature (PKIStatus %1, %2); ask those who run it, or take another by --tsa."),
+                {std::to_string(statusOf(answer.get())), wordsOf(answer.get())}});
     if (token.empty())
         return fail(ErrorKind::DataBlocked,
             {DYNCAL_TEXT("core",

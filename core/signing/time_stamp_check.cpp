@@ -4,6 +4,7 @@
 #include "core/signing/time_stamp_check.h"
 
 #include "core/signing/certificate_facts.h"
+#include "core/signing/signer_fitness.h"
 #include "core/signing/signer_standing.h"
 
 #include <openssl/x509v3.h>
@@ -38,10 +39,24 @@ bool isOver(TS_TST_INFO *info, std::string_view signature)
             ASN1_STRING_get0_data(stated), static_cast<std::size_t>(ASN1_STRING_length(stated))));
 }
 
+/// Whether its signers hashed with one of those that a certificate's signature may rest on.
+bool isHashedWell(PKCS7 *token)
+{
+    const STACK_OF(PKCS7_SIGNER_INFO) *signers = PKCS7_get_signer_info(token);
+    for (int i = 0; i < sk_PKCS7_SIGNER_INFO_num(signers); ++i) {
+        const ASN1_OBJECT *hash = nullptr;
+        X509_ALGOR_get0(
+            &hash, nullptr, nullptr, sk_PKCS7_SIGNER_INFO_value(signers, i)->digest_alg);
+        if (!openssl::isAcceptedHash(OBJ_obj2nid(hash)))
+            return false;
+    }
+    return true;
+}
+
 /// Moment of a token over `signature`; empty where its signature is not right.
 std::string momentOf(PKCS7 *token, std::string_view signature)
 {
-    if (token == nullptr || !PKCS7_type_is_signed(token)
+    if (token == nullptr || !PKCS7_type_is_signed(token) || !isHashedWell(token)
         || PKCS7_verify(token, nullptr, nullptr, nullptr, nullptr, PKCS7_NOVERIFY) != 1)
         return {};
     const Info info(PKCS7_to_TS_TST_INFO(token));
@@ -49,17 +64,28 @@ std::string momentOf(PKCS7 *token, std::string_view signature)
                                                  : std::string();
 }
 
-/// Whether a trusted certificate stands behind the authority, all of them valid at that moment.
-bool isTrusted(PKCS7 *token, const TrustSettings &trust, const std::string &utc)
+/// Why a token that is right does not count, where it does not: a trusted certificate must stand
+/// behind the authority, all of them valid at that moment and strong.
+std::optional<Message> faultOfAuthority(
+    PKCS7 *token, const TrustSettings &trust, const std::string &utc)
 {
     const openssl::Borrowed signers(PKCS7_get0_signers(token, nullptr, 0));
-    if (sk_X509_num(signers.get()) != 1)
-        return false;
-    const auto chain = chainToAnchor(sk_X509_value(signers.get(), 0), token->d.sign->cert,
-        trust.anchors, X509_PURPOSE_TIMESTAMP_SIGN);
-    return !chain.empty() && std::ranges::all_of(chain, [&](const openssl::Certificate &one) {
-        return isValidAt(one.get(), utc);
-    });
+    std::vector<openssl::Certificate> chain;
+    if (sk_X509_num(signers.get()) == 1)
+        chain = chainToAnchor(sk_X509_value(signers.get(), 0), token->d.sign->cert, trust.anchors,
+            X509_PURPOSE_TIMESTAMP_SIGN);
+    const bool isTrusted = !chain.empty()
+        && std::ranges::all_of(
+            chain, [&](const openssl::Certificate &one) { return isValidAt(one.get(), utc); });
+    if (!isTrusted)
+        return Message{
+            DYNCAL_TEXT("core",
+                "The time stamp (%1) is by an authority behind which none of the certificates of --trust stands, and does not count."),
+            {utc}};
+    std::optional<Message> weakness = weaknessOf(chain);
+    if (!weakness)
+        return std::nullopt;
+    return Message{DYNCAL_TEXT("core", "The time stamp (%1) does not count."), {utc}, {*weakness}};
 }
 
 std::string signatureOf(const openssl::OpenedCms &opened)
@@ -104,11 +130,8 @@ void judgeStamp(const openssl::OpenedCms &opened, const TrustSettings &trust, Si
             {DYNCAL_TEXT("core",
                  "The time stamp is not over this signature, or was changed, and does not count."),
                 {}});
-    else if (!isTrusted(token.get(), trust, moment))
-        check.remarks.push_back(
-            {DYNCAL_TEXT("core",
-                 "The time stamp (%1) is by an authority behind which none of the certificates of --trust stands, and does not count."),
-                {moment}});
+    else if (std::optional<Message> fault = faultOfAuthority(token.get(), trust, moment))
+        check.remarks.push_back(std::move(*fault));
     else
         check.stampedUtc = moment;
     ERR_clear_error();

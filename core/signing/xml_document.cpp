@@ -3,7 +3,10 @@
 
 #include "core/signing/xml_document.h"
 
+#include "core/signing/xml_scope.h"
 #include "core/xml/xml_limits.h"
+
+#include <algorithm>
 
 #include <xmlsec/crypto.h>
 #include <xmlsec/errors.h>
@@ -31,13 +34,36 @@ xmlNode *following(xmlNode *node, const xmlNode *root)
     return node == root ? nullptr : node->next;
 }
 
+/// Among the children of an element, or of the document.
+Unread unreadAmong(const xmlNode *children)
+{
+    bool isThere = false, hasText = false;
+    for (const xmlNode *one = children; one != nullptr; one = one->next) {
+        const bool isText = one->type == XML_TEXT_NODE || one->type == XML_CDATA_SECTION_NODE;
+        isThere = isThere || one->type == XML_COMMENT_NODE || one->type == XML_PI_NODE;
+        hasText = hasText || (isText && xmlIsBlankNode(one) != 1);
+    }
+    return !isThere ? Unread::None : hasText ? Unread::InText : Unread::Beside;
+}
+
 } // namespace
+
+Unread unreadIn(const xmlDoc *document)
+{
+    Unread found = unreadAmong(document->children);
+    xmlNode *root = xmlDocGetRootElement(document);
+    for (xmlNode *node = root; node != nullptr; node = following(node, root))
+        if (node->type == XML_ELEMENT_NODE)
+            found = std::max(found, unreadAmong(node->children));
+    return found;
+}
 
 Document parsed(std::string_view bytes)
 {
     // Zeros are of UTF-16 and would hide a document type.
     if (bytes.empty() || bytes.size() > kMostXmlBytes || bytes.find('\0') != bytes.npos
-        || bytes.find("<!DOCTYPE") != bytes.npos || bytes.find("<!ENTITY") != bytes.npos)
+        || bytes.find("<!DOCTYPE") != bytes.npos || bytes.find("<!ENTITY") != bytes.npos
+        || !keepsXmlLimits(bytes))
         return {};
     Document document(xmlReadMemory(bytes.data(), static_cast<int>(bytes.size()), nullptr, nullptr,
         XML_PARSE_NONET | XML_PARSE_NOERROR | XML_PARSE_NOWARNING));

@@ -29,9 +29,17 @@ struct FreedDocument
 };
 using Document = std::unique_ptr<xmlDoc, FreedDocument>;
 
-/// Parses without network, document type and entities, within kMostXmlBytes; null for anything
-/// else.
+/// Parses without network, document type and entities, within the limits of xml_limits.h
+/// (keepsXmlLimits); null for anything else.
 Document parsed(std::string_view bytes);
+
+/// Comments and processing instructions of a document, which its readers pass over.
+enum class Unread {
+    None,
+    Beside, ///< there are some
+    InText, ///< one is among the text of an element, which readers then take for two texts, or half
+};
+Unread unreadIn(const xmlDoc *document);
 
 /// The elements among the children.
 std::vector<xmlNode *> elementsIn(const xmlNode *parent);

@@ -50,11 +50,11 @@ Result<std::string> signedXml(const std::string &xml, const SigningKey &key)
     const xml::Document document = xml::parsed(xml);
     const std::size_t end = document ? endOfRoot(xml, xmlDocGetRootElement(document.get())) : 0;
     const std::string digest = end == 0 ? std::string() : digestOf(document.get());
-    if (digest.empty()
+    if (digest.empty() || xml::unreadIn(document.get()) == xml::Unread::InText
         || !xml::elementsNamed(xmlDocGetRootElement(document.get()), "Signature").empty())
         return fail(ErrorKind::FileUnreadable,
             {DYNCAL_TEXT("core",
-                 "The XML document cannot be signed: it must be sound, without document type and entities, of at most %1 bytes and not signed yet."),
+                 "The XML document cannot be signed: it must be sound, without document type and entities, without comments in the text of an element, of at most %1 bytes and not signed yet."),
                 {std::to_string(kMostXmlBytes)}});
     std::string made = xml;
     made.insert(end, signatureOver(digest, key.material()));

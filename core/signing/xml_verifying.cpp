@@ -6,6 +6,7 @@
 #include "core/signing/signer_standing.h"
 #include "core/signing/xml_document.h"
 #include "core/signing/xml_form.h"
+#include "core/signing/xml_scope.h"
 
 #include <xmlsec/keys.h>
 #include <xmlsec/openssl/evp.h>
@@ -69,16 +70,42 @@ std::optional<Message> faultOf(xmlNode *signature, const X509 *certificate)
         {}};
 }
 
+Message notRead(std::string_view xml)
+{
+    if (xml.size() <= kMostXmlBytes && !keepsXmlLimits(xml))
+        return {
+            DYNCAL_TEXT("core",
+                "It is no XML document that is read: it may have at most %1 elements in %2 levels, and each with those around it at most %3 attributes and namespaces."),
+            {std::to_string(kMostXmlElements), std::to_string(kDeepestXml),
+                std::to_string(kMostXmlNames)}};
+    return {
+        DYNCAL_TEXT("core",
+            "It is no XML document that is read: it must be sound, without document type and entities, of at most %1 bytes."),
+        {std::to_string(kMostXmlBytes)}};
+}
+
+/// Comments are not signed (XML-DSig, 4.4.3.3), and could cut a number in two.
+void judgeUnread(xml::Unread unread, SignatureCheck &check)
+{
+    if (unread == xml::Unread::InText)
+        check = changed(
+            {DYNCAL_TEXT("core",
+                 "A comment or processing instruction stands in the text of an element, where the signature may not cover it and other programs may read another value; Dyncal writes none."),
+                {}});
+    else if (unread == xml::Unread::Beside)
+        check.remarks.push_back(
+            {DYNCAL_TEXT("core",
+                 "The XML document has a comment or processing instruction, which Dyncal does not write and the signature may not cover: it may be anybody's."),
+                {}});
+}
+
 } // namespace
 
 SignatureCheck checkXmlSignature(std::string_view xml, const TrustSettings &trust)
 {
     const xml::Document document = xml::parsed(xml);
     if (!document)
-        return changed(
-            {DYNCAL_TEXT("core",
-                 "It is no XML document that is read: it must be sound, without document type and entities, of at most %1 bytes."),
-                {std::to_string(kMostXmlBytes)}});
+        return changed(notRead(xml));
     const xml::FoundXmlSignature found = xml::signatureIn(document.get());
     if (found.isNone)
         return {};
@@ -92,6 +119,7 @@ SignatureCheck checkXmlSignature(std::string_view xml, const TrustSettings &trus
         return changed(std::move(*fault));
     SignatureCheck check;
     judgeSigner(signer, openssl::borrowed(found.certificates).get(), trust, check);
+    judgeUnread(xml::unreadIn(document.get()), check);
     return check;
 }
 

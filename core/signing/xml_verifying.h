@@ -12,8 +12,8 @@ namespace dyncal {
 
 /// Holds the signature of an XML document against it. Only the one form that signedXml() writes is
 /// accepted, once in the document, as the last child of its root; anything else, as a reference to
-/// a part, another transform or a second signature, is Changed. A document without any is Unsigned.
-/// Nothing is fetched.
+/// a part, another transform or a second signature, is Changed; so is a comment in the text of an
+/// element, and any other is remarked. A document without any is Unsigned. Nothing is fetched.
 SignatureCheck checkXmlSignature(std::string_view xml, const TrustSettings &trust);
 
 } // namespace dyncal

@@ -16,6 +16,9 @@ inline constexpr std::size_t kMostXmlBytes = std::size_t(64) << 20U;
 /// An element takes some 300 bytes of memory, however short it is. Counted by their tags, of which
 /// each has two (an empty one may have one).
 inline constexpr std::size_t kMostXmlElements = 500000;
+/// Attributes and namespaces of an element, and namespaces of all elements around it together. A
+/// certificate has ten.
+inline constexpr std::size_t kMostXmlNames = 200;
 /// What goes through a tree may then call itself.
 inline constexpr int kDeepestXml = 100;
 

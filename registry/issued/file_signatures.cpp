@@ -3,6 +3,7 @@
 
 #include "registry/issued/file_signatures.h"
 
+#include "core/base/ascii_text.h"
 #include "core/signing/pdf_signature.h"
 #include "core/signing/xml_verifying.h"
 #include "registry/issued/issued_files.h"
@@ -19,6 +20,7 @@ namespace fs = std::filesystem;
 using Status = SignatureCheck::Status;
 
 constexpr std::uintmax_t kMostBytes = 256U * 1024U * 1024U;
+constexpr std::size_t kBeginBytes = 1024; ///< in which a file says what it is
 constexpr const char *kIssuedDcc = "dcc.xml";
 
 Result<std::string> bytesOf(const std::string &path)
@@ -34,6 +36,18 @@ Result<std::string> bytesOf(const std::string &path)
     return std::string(std::istreambuf_iterator<char>(in), {});
 }
 
+/// Both are signed in one go by one certificate; of others one came from elsewhere.
+void holdSignersTogether(const SignatureCheck &dcc, SignatureCheck &check)
+{
+    if (dcc.certificate == check.certificate)
+        return;
+    check.status = Status::Changed;
+    check.difference = Message{
+        DYNCAL_TEXT("core",
+            "%1 is signed by “%2”, %3 by “%4”, with another certificate: they were not issued together."),
+        {kIssuedDcc, dcc.signer, kIssuedPdf, check.signer}};
+}
+
 /// The DCC's part, put into what is known of the PDF.
 void addDcc(const SignatureCheck &dcc, SignatureCheck &check)
 {
@@ -46,9 +60,6 @@ void addDcc(const SignatureCheck &dcc, SignatureCheck &check)
     if (check.status == Status::Unsigned) {
         check.remarks.push_back(
             {DYNCAL_TEXT("core", "Only %1 is signed, %2 is not."), {kIssuedDcc, kIssuedPdf}});
-    } else if (!dcc.signer.empty() && dcc.signer != check.signer) {
-        check.remarks.push_back({DYNCAL_TEXT("core", "%1 is signed by “%2”, %3 by “%4”."),
-            {kIssuedDcc, dcc.signer, kIssuedPdf, check.signer}});
     }
     for (const Message &remark : dcc.remarks)
         if (std::ranges::find(check.remarks, remark) == check.remarks.end())
@@ -60,19 +71,49 @@ void addDcc(const SignatureCheck &dcc, SignatureCheck &check)
     } else if (check.status == Status::Valid) {
         check.status = dcc.status;
     }
+    if (!check.certificate.empty() && !dcc.certificate.empty())
+        holdSignersTogether(dcc, check);
+}
+
+/// By the first bytes, whatever the name says.
+SignedKind kindByContent(const std::string &path)
+{
+    std::string begin(kBeginBytes, '\0');
+    std::ifstream in(path, std::ios::binary);
+    in.read(begin.data(), static_cast<std::streamsize>(begin.size()));
+    begin.resize(static_cast<std::size_t>(std::max<std::streamsize>(in.gcount(), 0)));
+    if (begin.find("%PDF-") != begin.npos) // readers look for it so far in
+        return SignedKind::Pdf;
+    const std::string_view mark = "\xEF\xBB\xBF";
+    const std::size_t first
+        = begin.find_first_not_of(" \t\r\n", begin.starts_with(mark) ? mark.size() : 0);
+    const bool isXml = first != begin.npos && begin[first] == '<'
+        && begin.find("digitalCalibrationCertificate") != begin.npos;
+    return isXml ? SignedKind::Xml : SignedKind::None;
 }
 
 } // namespace
 
+SignedKind signedKindOf(const std::string &path)
+{
+    if (const SignedKind kind = kindByContent(path); kind != SignedKind::None)
+        return kind;
+    const std::string ending = lowerCase(fs::path(path).extension().string());
+    return ending == ".pdf" ? SignedKind::Pdf
+        : ending == ".xml"  ? SignedKind::Xml
+                            : SignedKind::None;
+}
+
 Result<SignatureCheck> checkFileSignature(const std::string &path, const TrustSettings &trust)
 {
-    const std::string ending = fs::path(path).extension().string();
-    if (ending != ".pdf" && ending != ".xml")
+    const SignedKind kind = signedKindOf(path);
+    if (kind == SignedKind::None)
         return SignatureCheck{};
     const Result<std::string> bytes = bytesOf(path);
     if (!bytes)
         return tl::unexpected<Error>(bytes.error());
-    return ending == ".pdf" ? checkPdfSignature(*bytes, trust) : checkXmlSignature(*bytes, trust);
+    return kind == SignedKind::Pdf ? checkPdfSignature(*bytes, trust)
+                                   : checkXmlSignature(*bytes, trust);
 }
 
 SignatureCheck checkFolderSignatures(const std::string &folder, const TrustSettings &trust)

@@ -255,6 +255,48 @@ private slots:
         QCOMPARE(verified(job, trust(), 1)["signer"].toString(), "Example Laboratory");
     }
 
+    void serviceOfAnExpiredCertificate_issuesNothing()
+    {
+        const IssuedJob job;
+        QVERIFY(job.begin(recording()));
+        const auto sealedBy = [&](const QString &name) {
+            return job.issue({"--seal-command",
+                "python3 '" + qEnvironmentVariable("DYNCAL_SOURCE_DIR")
+                    + "/tests/support/seal_service.py' '" + m_keys.path(name + ".key") + "' '"
+                    + m_keys.path(name + ".pem") + "'"});
+        };
+        const Answer refused = sealedBy("past");
+        QCOMPARE(refused.exitCode, 4);
+        QVERIFY2(refused.err.contains("is valid from 2025-01-01"), refused.err);
+        QVERIFY(!QFile::exists(job.output() + "/1"));
+        QCOMPARE(sealedBy("lab").json()["number"].toInt(), 1); // the reserved one
+    }
+
+    void issuedWithoutASignature_staysSo()
+    {
+        const IssuedJob job;
+        QVERIFY(job.begin(recording()));
+        const auto saysSo = [](const Answer &answer) {
+            return answer.err.contains("was issued before, without a signature");
+        };
+        QVERIFY(!saysSo(job.issue()));
+        const Answer again = job.issue(byKey());
+        QCOMPARE(again.exitCode, 0);
+        QVERIFY(!again.json()["signed"].toBool());
+        QVERIFY2(saysSo(again), again.err);
+        QVERIFY(again.out.contains("CER-011"));
+        QVERIFY(!saysSo(job.issue()));
+        // The single files say that nobody signed them, also without a registry.
+        QVERIFY(QFile::copy(job.output() + "/1/certificate.pdf", job.path("copy")));
+        for (const QString &file : {job.output() + "/1/dcc.xml", job.path("copy")}) {
+            const Answer alone = runDyncal({"verify", file, "--json"});
+            QCOMPARE(alone.exitCode, 1);
+            QCOMPARE(
+                QJsonDocument::fromJson(alone.out).array().first().toObject()["status"].toString(),
+                "unsigned");
+        }
+    }
+
     void wrongUsage_isSaid_data()
     {
         QTest::addColumn<QStringList>("signing");
@@ -268,6 +310,9 @@ private slots:
         QTest::newRow("open quote") << QStringList{"--seal-command", "'a"};
         QTest::newRow("expired") << QStringList{"--key", m_keys.path("past.all.pem")};
         QTest::newRow("closed") << QStringList{"--key", key, "--pin-fd", "77"};
+        for (const char *number : {"pin", "1024", "99999999999", "-1", "3.5"})
+            QTest::newRow(QByteArray("descriptor ") + number)
+                << QStringList{"--key", key, QString("--pin-fd=") + number};
         QTest::newRow("pin in uri") << QStringList{"--key", "pkcs11:token=a?pin-value=1"};
     }
     void wrongUsage_isSaid()
@@ -281,6 +326,9 @@ private slots:
             {"SOURCE_DATE_EPOCH=1767225600"});
         QCOMPARE(answer.exitCode, 4);
         QCOMPARE(answer.complaints().size(), 1);
+        QVERIFY2(!signing.join(' ').contains("--pin-fd=")
+                || answer.err.contains("number of an open file descriptor, 0 to 1023"),
+            answer.err);
         QVERIFY(!QFile::exists(job.registry()) && !QFile::exists(job.output()));
     }
 

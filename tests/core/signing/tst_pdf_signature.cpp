@@ -11,6 +11,7 @@
 
 #include <QtTest>
 
+#include <map>
 #include <random>
 
 using namespace dyncal;
@@ -47,6 +48,38 @@ private:
     {
         return signedPdf(pdf, m_words, byKey(name)).value_or("");
     }
+    /// The PDF with an update behind it that replaces the page, and whose signature, object 6,
+    /// covers all of it: as somebody with another key of the authority would hide a change.
+    std::string signedAgain(std::string pdf, const std::map<int, std::string> &objects,
+        const std::string &before = "") const
+    {
+        constexpr std::size_t kRoom = 8192;
+        const std::string table = pdf.substr(pdf.rfind("startxref") + 10);
+        std::map<int, std::size_t> places;
+        const auto add = [&](int number, const std::string &content) {
+            places[number] = pdf.size();
+            pdf += std::to_string(number) + " 0 obj\n" + content + "\nendobj\n";
+        };
+        for (const auto &[number, content] : objects)
+            add(number, content);
+        const std::string blank(30, ' ');
+        add(6,
+            "<</Type/Sig/SubFilter/ETSI.CAdES.detached/ByteRange[0" + blank + "]" + before
+                + "/Contents<" + std::string(kRoom, '0') + ">>>");
+        const std::size_t begin = pdf.size(), hole = pdf.rfind('<' + std::string(kRoom, '0')),
+                          end = hole + kRoom + 2;
+        pdf += "xref\n";
+        for (const auto &[number, place] : places)
+            pdf += QString::asprintf("%d 1\n%010zu 00000 n \n", number, place).toStdString();
+        pdf += "trailer\n<</Size 9/Root 1 0 R/Prev " + std::to_string(std::stoul(table))
+            + ">>\nstartxref\n" + std::to_string(begin) + "\n%%EOF\n";
+        pdf.replace(pdf.rfind(blank), blank.size(),
+            QString::asprintf(" %-9zu %-9zu %-9zu", hole, end, pdf.size() - end).toStdString());
+        const std::string cms
+            = *byKey("other")(sha256Hex(std::string_view(pdf.substr(0, hole) + pdf.substr(end))));
+        const QByteArray digits = QByteArray::fromStdString(cms).toHex();
+        return pdf.replace(hole + 1, std::size_t(digits.size()), digits.toStdString());
+    }
     SignatureCheck check(std::string_view pdf) const
     {
         return checkPdfSignature(pdf, {m_keys.content("root.pem"), MadeKeys::kNow});
@@ -62,6 +95,7 @@ private slots:
     {
         QVERIFY(m_keys.isMade);
         QVERIFY(m_keys.make("lab", "Kalibrerlaboratoriet Åsö (1)"));
+        QVERIFY(m_keys.make("other", "Other"));
         QVERIFY(m_keys.make(
             "curve", "Curve", "signer", {"-newkey", "ec", "-pkeyopt", "ec_paramgen_curve:P-256"}));
         m_certificate = contentOf(qEnvironmentVariable("DYNCAL_SOURCE_DIR").toStdString()
@@ -195,6 +229,52 @@ private slots:
         QCOMPARE(check("").status, Status::Unsigned);
     }
 
+    void signatureBesideTheForm_isChanged_data()
+    {
+        QTest::addColumn<QByteArray>("pdf");
+        QTest::addColumn<QString>("words"); ///< empty: as it should be, so that the others are
+        const auto row = [](const char *name, const std::string &pdf, const char *words) {
+            QTest::newRow(name) << QByteArray::fromStdString(pdf) << words;
+        };
+        const std::string page = "<</Type/Page/Parent 2 0 R/MediaBox[0 0 300 300]/Rotate 90>>";
+        const std::string catalog = "<</Type/Catalog/Pages 2 0 R/AcroForm<</SigFlags 3/Fields[";
+        const std::string field = "<</FT/Sig/T(A)/V 6 0 R>>";
+        const std::map<int, std::string> shown{{1, catalog + "7 0 R]>>>>"}, {3, page}, {7, field}};
+        row("as it should be", signedAgain(smallPdf(), shown), "");
+        const std::string once = signedBy("lab", smallPdf());
+        row("nobody's second", signedAgain(once, {{3, page}}), "more than one signature");
+        row("second in the form", signedAgain(once, shown), "more than one signature");
+        std::string hidden = once;
+        hidden.replace(hidden.find("/ByteRange[0 "), 13, "/Byte#52ange[");
+        row("first by another name", signedAgain(hidden, shown), "more than one signature");
+        row("in no form", signedAgain(smallPdf(), {{3, page}}), "not that of the one");
+        row("of no value",
+            signedAgain(smallPdf(), {{1, shown.at(1)}, {7, "<</FT/Sig/T(A)/V 3 0 R>>"}}),
+            "not that of the one");
+        row("two fields",
+            signedAgain(
+                smallPdf(), {{1, catalog + "7 0 R 8 0 R]>>>>"}, {7, field}, {8, "<</FT/Sig>>"}}),
+            "more than one signature");
+        row("field in another form",
+            signedAgain(smallPdf(), {{7, field}, {8, "<</Fields[7 0 R]>>"}}),
+            "not that of the one");
+        row("other contents", signedAgain(smallPdf(), shown, "/Contents<00>/Not"),
+            "not that of the one");
+        row("other range", signedAgain(smallPdf(), shown, "/Byte#52ange[0 1 2 3]"),
+            "not that of the one");
+    }
+    void signatureBesideTheForm_isChanged()
+    {
+        QFETCH(QByteArray, pdf);
+        QFETCH(QString, words);
+        const SignatureCheck found = check(pdf.toStdString());
+        const QString said
+            = found.difference ? QString::fromStdString(english(*found.difference)) : QString();
+        QVERIFY2(said.contains(words), qPrintable(said));
+        QCOMPARE(found.status, words.isEmpty() ? Status::Valid : Status::Changed);
+        QCOMPARE(found.signer, words.isEmpty() ? std::string("Other") : std::string());
+    }
+
     void whatCannotBeSigned_isRefused_data()
     {
         QTest::addColumn<QByteArray>("pdf");
@@ -204,6 +284,7 @@ private slots:
         };
         row("signed already", signedBy("lab", smallPdf()), "has a signature already");
         row("no PDF", "text", "classic kind");
+        row("text like one", smallPdf("/Lang(/ByteRange)"), "a text in it has /ByteRange");
         row("no page", smallPdf("", "", "/Root 7 0 R"), "damaged");
         std::string streams = smallPdf();
         row("table elsewhere", streams.replace(streams.find("xref\n0"), 4, "xrof"), "classic kind");

@@ -194,11 +194,25 @@ sed -n 9p own.key | tr A-Za-z N-ZA-Mn-za-m > line
         }
     }
 
+    void lineOfWindows_hasNoCarriageReturn()
+    {
+        for (const auto &[bytes, line] :
+            {std::pair{"4815\r\n", "4815"}, {"4815\r\nmore\r\n", "4815"}, {"4815\r", "4815\r"},
+                {"48\r15\n", "48\r15"}, {"4815\r\r\n", "4815\r"}}) {
+            m_keys.write("line", bytes);
+            const auto secret = secretIn("line");
+            QVERIFY(secret);
+            QCOMPARE(std::string(secret->text()), std::string(line));
+            QCOMPARE(secret->size(), std::string(line).size());
+        }
+    }
+
     void whatIsNone_isRefused_data()
     {
         QTest::addColumn<QByteArray>("bytes");
         QTest::newRow("empty") << QByteArray();
         QTest::newRow("empty line") << QByteArray("\n");
+        QTest::newRow("empty line of Windows") << QByteArray("\r\n");
         QTest::newRow("too long") << QByteArray(1025, 'x');
         QTest::newRow("too long a line") << QByteArray(1025, 'x') + "\n";
         QTest::newRow("much too long") << QByteArray(1000000, 'x');
@@ -214,6 +228,7 @@ sed -n 9p own.key | tr A-Za-z N-ZA-Mn-za-m > line
         QCOMPARE(secret.error().kind, ErrorKind::Usage);
         const std::string said = english(secret.error().message);
         QVERIFY2(said.find("1 to 1024 bytes") != std::string::npos, said.c_str());
+        QCOMPARE(said.find("a byte that is zero") != std::string::npos, bytes.contains('\0'));
         QVERIFY(said.find("xx") == std::string::npos && said.size() < 300);
     }
 };

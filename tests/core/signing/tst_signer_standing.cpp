@@ -49,6 +49,26 @@ private slots:
         QVERIFY(m_keys.makeUnder("ending", "late", "Late"));
         QVERIFY(m_keys.make("plain", "Plain"));
         QVERIFY(m_keys.makeUnder("plain", "child", "Child of none that may certify"));
+        QVERIFY(m_keys.make("short", "Short", "signer", {"-newkey", "rsa:1024"}));
+        QVERIFY(m_keys.make("koblitz", "Koblitz", "signer",
+            {"-newkey", "ec", "-pkeyopt", "ec_paramgen_curve:secp256k1"}));
+        m_keys.write("ca.cnf",
+            m_keys.content("ca.cnf")
+                + "[server]\nkeyUsage=critical,digitalSignature\nextendedKeyUsage=serverAuth\n"
+                  "[mail]\nextendedKeyUsage=serverAuth,emailProtection\n");
+        QVERIFY(m_keys.make("server", "Server", "server") && m_keys.make("mail", "Mail", "mail"));
+        QVERIFY(m_keys.make("stamps", "Stamps", "stamps"));
+        for (const char *hash : {"md5", "sha1"}) {
+            QVERIFY(m_keys.make(hash, hash));
+            QVERIFY(m_keys.openssl({"ca", "-batch", "-notext", "-config", m_keys.path("ca.cnf"),
+                "-in", m_keys.path(QString(hash) + ".csr"), "-out",
+                m_keys.path(QString(hash) + ".pem"), "-extensions", "signer", "-startdate",
+                MadeKeys::kFrom, "-enddate", MadeKeys::kUntil, "-cert", m_keys.path("root.pem"),
+                "-keyfile", m_keys.path("root.key"), "-md", hash}));
+            m_keys.write(std::string(hash) + ".all.pem",
+                m_keys.content(std::string(hash) + ".key")
+                    + m_keys.content(std::string(hash) + ".pem"));
+        }
         m_keys.write("alone.pem", m_keys.content("lab.key") + m_keys.content("lab.pem"));
     }
 
@@ -90,6 +110,57 @@ private slots:
         QCOMPARE(cmsCheck(key("late.all.pem"), m_keys.content("root.pem"), "2025-06-01T00:00:00Z")
                      .status,
             Status::Valid);
+    }
+
+    /// By a service of the test's own: such keys do not open.
+    void weakCertificates_areOfNobody_data()
+    {
+        QTest::addColumn<QString>("name");
+        QTest::addColumn<QString>("words");
+        QTest::newRow("short") << "short"
+                               << "rests on RSA, 1024 bits, which is too weak";
+        QTest::newRow("md5") << "md5"
+                             << "rests on md5, which is too weak";
+        QTest::newRow("sha1") << "sha1"
+                              << "rests on sha1, which is too weak";
+    }
+    void weakCertificates_areOfNobody()
+    {
+        QFETCH(QString, name);
+        QFETCH(QString, words);
+        const std::string hash = sha256Hex(std::string_view("content"));
+        m_keys.write("hash", hash + "\n");
+        m_keys.write("service.sh", "python3 \"$1\" \"$2\" \"$3\" < \"$4\" > \"$5\"\n");
+        const QString service
+            = qEnvironmentVariable("DYNCAL_SOURCE_DIR") + "/tests/support/seal_service.py";
+        QVERIFY(answerOf("sh",
+            {m_keys.path("service.sh"), service, m_keys.path(name + ".key"),
+                m_keys.path(name + ".pem"), m_keys.path("hash"), m_keys.path("made.cms")})
+                    .ran);
+        const std::string cms = m_keys.content("made.cms");
+        QVERIFY(!faultOfCms(cms, hash));
+        for (const std::string &anchors : {m_keys.content("root.pem"), std::string()}) {
+            const SignatureCheck found
+                = checkCms(cms, {"content"}, MadeKeys::kNow, {anchors, MadeKeys::kNow});
+            QCOMPARE(found.status, Status::UnknownSigner);
+            const QString said = QString::fromStdString(english(found.remarks.back()));
+            if (!anchors.empty())
+                QVERIFY2(said.toLower().contains(words.toLower()), qPrintable(said));
+        }
+        const auto fit = checkSignerOfCms(cms, "seal-client", MadeKeys::kNow);
+        QCOMPARE(fit.has_value(), name != "short");
+    }
+
+    void certificateForOtherUse_isRemarked()
+    {
+        const std::string root = m_keys.content("root.pem");
+        for (const char *name : {"server", "stamps", "mail"}) {
+            const SignatureCheck found = cmsCheck(key(std::string(name) + ".all.pem"), root);
+            QCOMPARE(found.status, Status::Valid);
+            QCOMPARE(found.remarks.empty(), name == std::string("mail"));
+            QVERIFY(found.remarks.empty()
+                || english(found.remarks[0]).find("(extended key usage)") != std::string::npos);
+        }
     }
 
     void signerThatMayNotCertify_standsBehindNobody()

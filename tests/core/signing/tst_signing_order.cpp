@@ -112,6 +112,42 @@ private slots:
         QVERIFY2(judged.contains("Total document signed"), judged);
         QCOMPARE(*signedDcc("<a>x</a>", order), std::string("<a>x</a>"));
     }
+
+    /// As a key that is none to sign with is refused.
+    void serviceOfAnUnfitCertificate_isRefused_data()
+    {
+        QTest::addColumn<QStringList>("key");
+        QTest::addColumn<QString>("section");
+        QTest::addColumn<QString>("from");
+        QTest::addColumn<QString>("until");
+        QTest::addColumn<QString>("words");
+        const QStringList rsa{"-newkey", "rsa:2048"};
+        const QString from = MadeKeys::kFrom, until = MadeKeys::kUntil;
+        QTest::newRow("expired") << rsa << "signer" << from << "20260101000000Z"
+                                 << "is valid from 2025-01-01";
+        QTest::newRow("not yet") << rsa << "signer"
+                                 << "20270101000000Z" << until << "is valid from 2027-01-01";
+        QTest::newRow("cipher") << rsa << "cipher" << from << until << "is not for signatures";
+        QTest::newRow("short") << QStringList{"-newkey", "rsa:1024"} << "signer" << from << until
+                               << "The key in python3 (RSA, 1024 bits) is none";
+    }
+    void serviceOfAnUnfitCertificate_isRefused()
+    {
+        QFETCH(QStringList, key);
+        QFETCH(QString, section);
+        QFETCH(QString, from);
+        QFETCH(QString, until);
+        QFETCH(QString, words);
+        QVERIFY(m_keys.make("unfit", "Unfit", section, key, from, until));
+        const std::string script = qEnvironmentVariable("DYNCAL_SOURCE_DIR").toStdString()
+            + "/tests/support/seal_service.py";
+        const auto pdf = signedPdfBy({.sealCommand = "python3 '" + script + "' '"
+                + m_keys.file("unfit.key") + "' '" + m_keys.file("unfit.pem") + "'"});
+        QVERIFY(!pdf);
+        QCOMPARE(pdf.error().kind, ErrorKind::Usage);
+        const QString said = QString::fromStdString(english(pdf.error().message));
+        QVERIFY2(said.contains(words), qPrintable(said));
+    }
 };
 
 DYNCAL_TEST(TestSigningOrder)

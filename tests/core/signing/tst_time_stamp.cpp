@@ -36,9 +36,10 @@ private:
         };
     }
     SignatureCheck check(const std::string &cms, const std::string &trust,
-        const std::string &now = "2030-01-01T00:00:00Z") const
+        const std::string &now = "2030-01-01T00:00:00Z",
+        const std::string &stated = "2025-06-01T00:00:00Z") const
     {
-        return checkCms(cms, {m_content}, "2025-06-01T00:00:00Z", {trust, now});
+        return checkCms(cms, {m_content}, stated, {trust, now});
     }
 
 private slots:
@@ -59,7 +60,10 @@ private slots:
         const std::string bare = cmsBy("lab");
         const auto stamped = withTimeStamp(bare, authority());
         QVERIFY2(stamped, stamped ? "" : english(stamped.error().message).c_str());
-        const SignatureCheck found = check(*stamped, m_keys.content("root.pem"));
+        const std::string justNow
+            = QDateTime::currentDateTimeUtc().toString(Qt::ISODate).toStdString();
+        const SignatureCheck found
+            = check(*stamped, m_keys.content("root.pem"), "2030-01-01T00:00:00Z", justNow);
         QCOMPARE(found.status, Status::Valid);
         QVERIFY(found.remarks.empty());
         const QDateTime moment
@@ -78,6 +82,35 @@ private slots:
                 && request.out.contains("Certificate required: yes")
                 && !request.out.contains("Nonce: unspecified"),
             request.out);
+    }
+
+    void momentsFarApart_areRemarked()
+    {
+        const std::string stamped = *withTimeStamp(cmsBy("lab"), authority());
+        const std::string trust = m_keys.content("root.pem"), now = "2030-01-01T00:00:00Z";
+        const auto remarks = [&](qint64 hours) {
+            const QDateTime stated = QDateTime::currentDateTimeUtc().addSecs(3600 * hours);
+            return check(stamped, trust, now, stated.toString(Qt::ISODate).toStdString()).remarks;
+        };
+        for (const qint64 near : {-23, 0, 23})
+            QVERIFY(remarks(near).empty());
+        for (const qint64 far : {-25, 25, -8000})
+            QVERIFY(remarks(far).size() == 1
+                && english(remarks(far)[0]).find("more than a day") != std::string::npos);
+        QVERIFY(check(stamped, trust, now, "").remarks.empty());
+    }
+
+    void refusal_isSaid()
+    {
+        // TimeStampResp { PKIStatusInfo { rejection, { "no" } } }
+        const std::string denied("\x30\x0b\x30\x09\x02\x01\x02\x30\x04\x0c\x02no", 13);
+        const auto refused = withTimeStamp(
+            cmsBy("lab"), [&](const std::string &) { return Result<std::string>(denied); });
+        QVERIFY(!refused);
+        const std::string said = english(refused.error().message);
+        QVERIFY2(
+            said.find("refused to stamp this signature (PKIStatus 2, no)") != std::string::npos,
+            said.c_str());
     }
 
     void stamp_keepsASignatureAlive()

@@ -46,10 +46,28 @@ private slots:
             QVERIFY2(checkTokenUri(fine).has_value(), fine);
         for (const char *bad :
             {"pkcs11:token=lab?pin-value=4815", "pkcs11:pin-source=/pin;token=lab",
-                "pkcs11:token=lab?module-path=/a.so&pin-value="}) {
+                "pkcs11:token=lab?module-path=/a.so&pin-value=", "pkcs11:token=lab?PIN-VALUE=4815",
+                "pkcs11:token=lab?pin%2Dvalue=4815", "pkcs11:token=lab?p%69n-Value=4815",
+                "pkcs11:token=lab;Pin-Source=4815", "PKCS11:token=lab?pin_value=4815",
+                "pkcs11:token=lab?pin-value%3D4815"}) {
+            QVERIFY(isTokenUri(bad));
             const auto fit = checkTokenUri(bad);
             QVERIFY2(!fit && fit.error().kind == ErrorKind::Usage, bad);
             QVERIFY(english(fit.error().message).find("4815") == std::string::npos);
+        }
+    }
+
+    void query_isNeverSaid()
+    {
+        QCOMPARE(shownSource("pkcs11:token=lab?x=4815"), std::string("pkcs11:token=lab"));
+        QCOMPARE(shownSource("/a?b.pem"), std::string("/a?b.pem"));
+        for (const char *uri : {"pkcs11:token=other?passwd=4815", "PKCS11:token=other?key=4815"}) {
+            const std::string said = refusal(uri, MadeToken::kPin);
+            QVERIFY2(said.find("4815") == std::string::npos
+                    && said.find("no private key for pkcs11:token=other")
+                            + said.find("no private key for PKCS11:token=other")
+                        != 2 * std::string::npos,
+                said.c_str());
         }
     }
 

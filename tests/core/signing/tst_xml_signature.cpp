@@ -83,7 +83,11 @@ private slots:
         QVERIFY2(found.status == Status::Valid,
             found.difference ? english(*found.difference).c_str() : "");
         QCOMPARE(found.signer, key == "lab" ? std::string("Lab") : std::string("Curve"));
-        QVERIFY(found.remarks.empty() && found.signedUtc.empty());
+        QVERIFY(found.signedUtc.empty());
+        QCOMPARE(found.remarks.size(), std::size_t(1));
+        QVERIFY(english(found.remarks[0]).find("has a comment or") != std::string::npos);
+        const std::string bare = replaced(m_document, "<!-- a remark -->", "");
+        QVERIFY(check(signedBy(key.toStdString(), bare)).remarks.empty());
         QCOMPARE(withoutXmlSignature(made), m_document);
         QCOMPARE(checkXmlSignature(made, {"", MadeKeys::kNow}).status, Status::UnknownSigner);
         QCOMPARE(
@@ -132,6 +136,45 @@ private slots:
         QVERIFY(english(*swapped.difference).find("not made by the key") != std::string::npos);
         // Comments are no content: the document says the same.
         QCOMPARE(check(replaced(made, "a remark", "b remark")).status, Status::Valid);
+    }
+
+    void commentInAText_isAChange()
+    {
+        const std::string made = signedBy("lab", replaced(m_document, "<!-- a remark -->", ""));
+        for (const std::string &split :
+            {std::string("1<!---->.5"), std::string("<!-- -->1.5"), std::string("1.5<!--x-->")}) {
+            const SignatureCheck found = check(replaced(made, "1.5", split));
+            QVERIFY2(found.status == Status::Changed && found.difference, split.c_str());
+            QVERIFY(
+                english(*found.difference).find("A comment or processing") != std::string::npos);
+        }
+        QCOMPARE(check(replaced(made, "1.5", "1<?x y?>.5")).status, Status::Changed);
+        QCOMPARE(check(replaced(made, "<ds:DigestValue>", "<ds:DigestValue><!---->")).status,
+            Status::Changed);
+        for (const SignatureCheck &beside :
+            {check(replaced(made, "<si:list/>", "<si:list><!-- 5 --></si:list>")),
+                check(replaced(made, "<si:list/>", "<!-- 5 --><si:list/>")),
+                check(made + "<!-- 5 -->")}) {
+            QCOMPARE(beside.status, Status::Valid);
+            QCOMPARE(beside.remarks.size(), std::size_t(1));
+        }
+        QVERIFY(signedBy("lab", "<a>1<!---->2</a>").find("cannot be signed") != std::string::npos);
+    }
+
+    /// However many bytes: the names of one element are counted before anything compares them.
+    void manyNames_areRefusedUnread()
+    {
+        const std::string made = signedBy("lab", m_document);
+        std::string names;
+        while (names.size() < kMostXmlBytes / 2)
+            names += " xmlns:a" + std::to_string(names.size()) + "='u:" + "'";
+        for (const std::string &bad :
+            {replaced(made, "<si:list/>", "<si:list" + names + "/>"), "<a" + names + "/>"}) {
+            const SignatureCheck found = check(bad);
+            QCOMPARE(found.status, Status::Changed);
+            QVERIFY(english(*found.difference).find("at most 200 attributes and namespaces")
+                != std::string::npos);
+        }
     }
 
     /// Whatever is valid after a flip has the same content (XML-DSig signs content, not bytes).

@@ -40,6 +40,7 @@ private slots:
     {
         QVERIFY(m_keys.isMade);
         QVERIFY(m_keys.make("lab", "Lab") && m_keys.make("other", "Other"));
+        QVERIFY(m_keys.make("again", "Lab"));
         m_pdf = contentOf(qEnvironmentVariable("DYNCAL_SOURCE_DIR").toStdString()
             + "/tests/data/kept_projects/2026-11-27-version-2/certificates/1/certificate.pdf");
     }
@@ -60,7 +61,11 @@ private slots:
         QCOMPARE(half.status, Status::Unsigned);
         QVERIFY(english(half.remarks.at(0)).starts_with("Only dcc.xml is signed"));
         const SignatureCheck mixed = checked(pdf, *signedDcc(m_dcc, by("other")));
-        QVERIFY(english(mixed.remarks.at(0)).find("by “Other”") != std::string::npos);
+        QCOMPARE(mixed.status, Status::Changed);
+        QVERIFY(english(*mixed.difference).find("by “Other”") != std::string::npos);
+        QVERIFY(english(*mixed.difference).find("not issued together") != std::string::npos);
+        const SignatureCheck namesake = checked(pdf, *signedDcc(m_dcc, by("again")));
+        QCOMPARE(namesake.status, Status::Changed);
         QVERIFY(checked(m_pdf, m_dcc).status == Status::Unsigned);
     }
 
@@ -78,6 +83,31 @@ private slots:
         QCOMPARE(checked(pdf, dcc).status, Status::Changed);
         QVERIFY(!checkFileSignature("/nowhere/a.pdf", {}));
         QVERIFY(checkFileSignature("/nowhere/a.json", {})->status == Status::Unsigned);
+    }
+
+    void files_areKnownByTheirContent()
+    {
+        const ScratchFolder folder;
+        const auto write = [&](const std::string &name, const std::string &bytes) {
+            return folder.write(name, bytes.data(), bytes.size());
+        };
+        const std::string dcc = *signedDcc(
+            "<?xml version=\"1.0\"?><digitalCalibrationCertificate>x</digitalCalibrationCertificate>",
+            by("lab"));
+        const std::string pdf = *signedCertificate(m_pdf, by("lab"), MadeKeys::kNow, {});
+        const TrustSettings trust{m_keys.content("root.pem"), MadeKeys::kNow};
+        for (const char *name : {"a", "a.txt", "a.PDF", "a.xml", "a.Pdf"}) {
+            QCOMPARE(signedKindOf(write(name, pdf)), SignedKind::Pdf);
+            QCOMPARE(checkFileSignature(folder.file(name), trust)->status, Status::Valid);
+            QCOMPARE(signedKindOf(write(name, " \n" + dcc)), SignedKind::Xml);
+            QCOMPARE(signedKindOf(write(name, dcc)), SignedKind::Xml);
+            QCOMPARE(checkFileSignature(folder.file(name), trust)->status, Status::Valid);
+        }
+        QCOMPARE(signedKindOf(write("b.XML", "text")), SignedKind::Xml);
+        QCOMPARE(signedKindOf(write("b.PDF", "text")), SignedKind::Pdf);
+        for (const std::string &other : {std::string("text"), std::string("<recording/>"),
+                 std::string(2000, ' ') + "%PDF-1.7", std::string()})
+            QCOMPARE(signedKindOf(write("b", other)), SignedKind::None);
     }
 };
 

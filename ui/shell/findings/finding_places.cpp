@@ -121,6 +121,7 @@ constexpr std::pair<std::string_view, FindingPlace> kPlaces[]{
     {"CER-008", {Page::Uncertainty, "uncertaintyResult"}},
     {"CER-009", {Page::Uncertainty, "budgetTable"}},
     {"CER-010", {Page::Certificate, "field_laboratory_country"}},
+    {"CER-011", {Page::Certificate, "exportCertificate"}},
     {"PRJ-001", {Captures, "shotTable"}},
 };
 
