@@ -32,7 +32,9 @@ struct UnreadQuantity
     std::string name;
     std::vector<std::string> refTypes;
     Index line = 0;
-    std::optional<DSiUnit> unit; ///< empty: not known, or not one
+    std::optional<DSiUnit> unit = {}; ///< empty: not known, or not one
+    /// Whether that names what neither frequencies nor angles have: a volt, a pascal, a decibel.
+    bool isNoAxis = false;
 
     bool hasRefType(std::string_view refType) const;
 };

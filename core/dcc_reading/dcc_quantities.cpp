@@ -6,6 +6,9 @@
 #include "core/dcc_reading/d_si_numbers.h"
 #include "core/dcc_reading/dcc_words_read.h"
 
+#include <algorithm>
+#include <array>
+
 namespace dyncal {
 namespace {
 
@@ -95,12 +98,20 @@ std::optional<DSiUnit> commonUnit(const std::vector<std::string> &units)
     return common;
 }
 
+bool isNoAxis(const std::string &unit)
+{
+    constexpr std::array kWords{"volt", "ampere", "coulomb", "watt", "pascal", "bar", "newton",
+        "metre", "gram", "kelvin", "bel", "neper"}; // with their prefixes
+    return std::ranges::any_of(
+        kWords, [&](const char *word) { return unit.find(word) != std::string::npos; });
+}
+
 UnreadQuantity unreadOf(const ParsedElement &element, const ParsedElement &values)
 {
     std::vector<std::string> units;
     findUnits(values, units);
     return {wordsOfText(element.child("name")), wordsOfAttribute(element, "refType"), element.line,
-        commonUnit(units)};
+        commonUnit(units), std::ranges::any_of(units, isNoAxis)};
 }
 
 /// The quantity goes to the others, or the reason to the reasons.
@@ -150,7 +161,7 @@ void readList(const ParsedElement &list, const Surrounding &around, DccContents 
     for (const ParsedElement &child : list.children)
         if (isForeign(child)) {
             table.notUnderstood.push_back(foreign(child).value().message);
-            table.unread.push_back({"", {}, child.line, {}});
+            table.unread.push_back({"", {}, child.line});
         }
     for (const ParsedElement *quantity : list.all("quantity")) {
         read(*quantity, table.columns, table);

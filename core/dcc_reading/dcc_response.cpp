@@ -54,12 +54,12 @@ struct RoleTexts
 Message whyNone(const StatedTable &table, const RoleTexts &texts, const MeantQuantity &found,
     const std::string &unit = {})
 {
-    const std::string line = std::to_string(table.line);
-    std::vector<Message> reasons = reasonsOf(table, found.about);
-    if (!found.unread.empty())
-        return {texts.unread, {line, linesOf(found.unread)}, std::move(reasons)};
-    return {found.inUnit.empty() ? texts.none : texts.several, {line, linesOf(found.inUnit), unit},
-        std::move(reasons)};
+    const bool isUnread = !found.unread.empty();
+    const char *text = isUnread ? texts.unread : texts.several;
+    return {found.inUnit.empty() ? texts.none : text,
+        {std::to_string(table.line), isUnread ? linesOf(found.unread) : linesOf(found.inUnit),
+            unit},
+        reasonsOf(table, found.about)};
 }
 
 constexpr const char *kNoFrequencies = DYNCAL_TEXT("core",
@@ -84,7 +84,7 @@ constexpr const char *kSeveralPhases = DYNCAL_TEXT("core",
 QuantityRole frequencies()
 {
     return {[](const DSiUnit &unit) { return unit.isOf("Hz"); },
-        {"dyncal_frequency", "vib_frequency", "basic_tableIndex0"}, false, isAboutAFrequency};
+        {"dyncal_frequency", "vib_frequency", "basic_tableIndex0"}, true, false, isAboutAFrequency};
 }
 
 QuantityRole magnitudes(const std::optional<DSiUnit> &unit)
@@ -92,13 +92,13 @@ QuantityRole magnitudes(const std::optional<DSiUnit> &unit)
     return {[unit](const DSiUnit &its) {
                 return unit ? its.powers == unit->powers : its.isSensitivity();
             },
-        {"dyncal_magnitude", "vib_magnitude", "basic_measuredValue"}, true, isAboutAValue};
+        {"dyncal_magnitude", "vib_magnitude", "basic_measuredValue"}, false, true, isAboutAValue};
 }
 
 QuantityRole phases()
 {
     return {[](const DSiUnit &unit) { return unit.isOf("rad"); },
-        {"dyncal_phase", "vib_phase", "basic_measuredValue"}, false, isAboutAValue};
+        {"dyncal_phase", "vib_phase", "basic_measuredValue"}, true, false, isAboutAValue};
 }
 
 Result<const StatedQuantity *> frequencyOf(const StatedTable &table)
@@ -133,7 +133,7 @@ Result<FoundPhases> phasesOf(const StatedTable &table)
     const MeantQuantity found = meantQuantity(table, phases());
     if (found.meant || (found.inUnit.empty() && found.unread.empty()))
         return FoundPhases{found.meant, {}};
-    Message why = whyNone(table, {kSeveralPhases, kSeveralPhases, kUnreadPhases}, found);
+    Message why = whyNone(table, {kUnreadPhases, kSeveralPhases, kUnreadPhases}, found);
     if (found.unread.empty())
         return refused(std::move(why));
     return FoundPhases{nullptr, std::move(why)};
@@ -265,8 +265,8 @@ bool mightBeResponse(const StatedTable &table, const std::optional<DSiUnit> &uni
         return isKnown(role) || !meantQuantity(table, role).unread.empty();
     };
     const QuantityRole ofFrequencies = frequencies(), ofMagnitudes = magnitudes(unit);
-    return !responseOf(table, unit) && !table.unread.empty() && isPossible(ofFrequencies)
-        && isPossible(ofMagnitudes) && (isKnown(ofFrequencies) || isKnown(ofMagnitudes));
+    return !table.unread.empty() && isPossible(ofFrequencies) && isPossible(ofMagnitudes)
+        && (isKnown(ofFrequencies) || isKnown(ofMagnitudes)) && !responseOf(table, unit);
 }
 
 bool isOverFrequency(const StatedTable &table)

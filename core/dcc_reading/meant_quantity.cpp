@@ -76,8 +76,9 @@ bool mayBe(const UnreadQuantity &unread, const QuantityRole &role)
 {
     if (role.isAbout(unread.name, unread.refTypes) || isOfAnotherRole(unread, role))
         return false;
-    return unread.unit ? role.isInUnit(*unread.unit)
-                       : !isOfSurroundings(unread.name, unread.refTypes);
+    if (unread.unit)
+        return role.isInUnit(*unread.unit);
+    return !(role.isAxis && unread.isNoAxis) && !isOfSurroundings(unread.name, unread.refTypes);
 }
 
 MeantQuantity meantQuantity(const StatedTable &table, const QuantityRole &role)

@@ -17,6 +17,7 @@ struct QuantityRole
 {
     std::function<bool(const DSiUnit &unit)> isInUnit;
     std::vector<std::string_view> marks; ///< refTypes, the strongest first
+    bool isAxis = false; ///< frequencies or angles
     bool mayBeComplex = false; ///< real ones go before complex ones
     bool (*isAbout)(const std::string &name, const std::vector<std::string> &refTypes)
         = nullptr; ///< what is about it and not it: isAboutAValue(), isAboutAFrequency()
@@ -35,7 +36,8 @@ struct MeantQuantity
 /// The only one with the strongest mark; else the only one that could be it; else the only one of
 /// them that states an uncertainty. One that is not understood counts as one with its marks, and
 /// where its unit is that of the role or unknown it could be it, unless it is about it, is marked
-/// for another role (vib_..., dyncal_..., basic_tableIndex...) or is of the surroundings.
+/// for another role (vib_..., dyncal_..., basic_tableIndex...), is of the surroundings, or its
+/// unknown unit names what the role does not have (UnreadQuantity::isNoAxis).
 MeantQuantity meantQuantity(const StatedTable &table, const QuantityRole &role);
 
 /// Whether it may be it: as above.

@@ -22,7 +22,7 @@ Result<void> checkPlaces(const ComparisonSettings &settings)
     return {};
 }
 
-Result<CertifiedReference> withKnownU(ReferenceSensitivity sensitivity)
+Result<CertifiedReference> modelWithKnownU(ReferenceSensitivity sensitivity)
 {
     if (!sensitivity.withoutU_Hz())
         return CertifiedReference{std::move(sensitivity), {}};
@@ -35,7 +35,7 @@ Result<CertifiedReference> withKnownU(ReferenceSensitivity sensitivity)
 Result<CertifiedReference> sensitivityOf(const ComparisonSettings &settings)
 {
     if (settings.model)
-        return ReferenceSensitivity::fromModel(*settings.model).and_then(withKnownU);
+        return ReferenceSensitivity::fromModel(*settings.model).and_then(modelWithKnownU);
     return readCertifiedSource({"comparison", settings.source, settings.sha256, settings.quantityId,
         settings.unit, settings.loaded});
 }

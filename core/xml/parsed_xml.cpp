@@ -196,9 +196,14 @@ Result<void> checkForm(pugi::xml_document &document, const std::string &text)
             {DYNCAL_TEXT("core",
                  "The XML file has several elements that hold everything, where one is needed; restore the file as its laboratory sent it."),
                 {}});
-    if (std::optional<XmlFault> fault = faultOfXml(text))
-        return malformed(fault->line, std::move(fault->what));
-    return {};
+    // Blanks before the declaration, which XML forbids, do no harm.
+    const std::string_view whole = text;
+    const std::size_t begin = std::min(whole.find('<'), whole.size());
+    std::optional<XmlFault> fault = faultOfXml(whole.substr(begin));
+    if (!fault)
+        return {};
+    const Index before = std::ranges::count(whole.substr(0, begin), '\n');
+    return malformed(before + fault->line, std::move(fault->what));
 }
 
 } // namespace

@@ -24,7 +24,7 @@ std::string firstLine(const char *text)
 
 } // namespace
 
-std::optional<XmlFault> faultOfXml(const std::string &utf8)
+std::optional<XmlFault> faultOfXml(std::string_view utf8)
 {
     const std::unique_ptr<xmlParserCtxt, FreedContext> context(xmlNewParserCtxt());
     if (!context)

@@ -7,6 +7,7 @@
 
 #include <optional>
 #include <string>
+#include <string_view>
 
 namespace dyncal {
 
@@ -22,6 +23,6 @@ struct XmlFault
 /// twice, and all that pugixml passes over. Empty where it keeps them all. Nothing is built or
 /// fetched; time linear in the bytes. The document has no document type and is no deeper than
 /// kDeepestXml.
-std::optional<XmlFault> faultOfXml(const std::string &utf8);
+std::optional<XmlFault> faultOfXml(std::string_view utf8);
 
 } // namespace dyncal

@@ -251,7 +251,7 @@ private slots:
             QVERIFY(isUnread(bad + f + m, "frequencies"));
         for (const std::string &bad :
             {dccQuantity("4,5 5", kUnit), noK, dccQuantity("-9 -8", "\\decibel")})
-            QVERIFY(isUnread(f + bad + m, "magnitudes"));
+            QVERIFY(isUnread(dccMarked(f, "vib_frequency") + bad + m, "magnitudes"));
         QVERIFY(isUnread(
             f + dccMarked(m, "vib_magnitude") + dccMarked(noK, "vib_magnitude"), "magnitudes"));
         QVERIFY(isUnread(f + dccMarked(m, "basic_measuredValue") + dccMarked(noK, "vib_magnitude"),

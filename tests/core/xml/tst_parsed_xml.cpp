@@ -100,6 +100,8 @@ private slots:
             QVERIFY2(faultOf(text).find("Line 2 of the XML file is malformed") == 0,
                 (text + (": " + faultOf(text))).c_str());
         QVERIFY(faultOf("<?xml version='1.0' encoding='UTF-16'?><a/>").empty()); // it is UTF-8
+        QVERIFY(faultOf("\xEF\xBB\xBF \n<?xml version='1.0'?><a/>").empty());
+        QVERIFY(faultOf(" \n<?xml version='1.0'?><a>\n&#0;</a>").find("Line 3 ") == 0);
     }
 
     /// Blanks part words, though only between comments, instructions or empty sections.
