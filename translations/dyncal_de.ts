@@ -4290,7 +4290,7 @@
     </message>
     <message>
         <source>The certificate has another list (line %1) that is not understood and may be the response; name the one that is meant by its id in quantity_id.</source>
-        <translation>Das Kalibrierzertifikat hat eine andere Liste (Zeile %1), die nicht verstanden wird und der Frequenzgang sein kann; die gemeinte ist mit ihrer id in quantity_id zu nennen.</translation>
+        <translation>Der Kalibrierschein hat eine weitere Liste (Zeile %1), die nicht verstanden wird und der Frequenzgang sein kann; die gemeinte durch ihre id in quantity_id nennen.</translation>
     </message>
     <message>
         <source>comparison.model has an uncertainty of 0, which counts as unknown; u_sensitivity, u_f0_hz and u_zeta must be stated, above 0.</source>
