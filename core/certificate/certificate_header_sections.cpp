@@ -7,6 +7,7 @@
 #include "core/base/version.h"
 #include "core/capture/sensor_card.h"
 #include "core/certificate/certificate_checks.h"
+#include "core/certificate/certificate_conformity.h"
 #include "core/certificate/certificate_words.h"
 #include "core/pipeline/stage_table.h"
 
