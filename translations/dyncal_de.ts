@@ -4284,5 +4284,17 @@
         <source>gain of the reference&apos;s chain</source>
         <translation>Verstärkung der Messkette der Referenz</translation>
     </message>
+    <message>
+        <source>An uncertainty at %1 Hz is 0, which counts as unknown; that of each magnitude and of each phase must be stated, above 0.</source>
+        <translation>Eine Unsicherheit bei %1 Hz ist 0, was als unbekannt gilt; die jedes Betrags und jeder Phase muss angegeben sein, über 0.</translation>
+    </message>
+    <message>
+        <source>The certificate has another list (line %1) that is not understood and may be the response; name the one that is meant by its id in quantity_id.</source>
+        <translation>Der Kalibrierschein hat eine weitere Liste (Zeile %1), die nicht verstanden wird und der Frequenzgang sein kann; die gemeinte durch ihre id in quantity_id nennen.</translation>
+    </message>
+    <message>
+        <source>comparison.model has an uncertainty of 0, which counts as unknown; u_sensitivity, u_f0_hz and u_zeta must be stated, above 0.</source>
+        <translation>comparison.model hat eine Unsicherheit von 0, was als unbekannt gilt; u_sensitivity, u_f0_hz und u_zeta müssen angegeben sein, über 0.</translation>
+    </message>
 </context>
 </TS>

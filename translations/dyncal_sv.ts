@@ -9522,10 +9522,6 @@ steget</translation>
         <translation>Certifikatet gäller flera objekt (%1), och det sägs inte vilket av dem resultaten gäller.</translation>
     </message>
     <message>
-        <source>The result &apos;%1&apos; in line %2 is not known as sensitivity, natural frequency or damping ratio, or is not the only one.</source>
-        <translation>Resultatet ”%1” på rad %2 är inte känt som känslighet, egenfrekvens eller dämpningsgrad, eller är inte det enda.</translation>
-    </message>
-    <message>
         <source>The list in line %1 is a response over frequency, but so is another, and which is meant is not guessed.</source>
         <translation>Listan på rad %1 är ett svar över frekvens, men det är en annan också, och vilken som avses gissas inte.</translation>
     </message>
@@ -10296,6 +10292,58 @@ steget</translation>
     <message>
         <source>%1 is signed by “%2”, %3 by “%4”, with another certificate: they were not issued together.</source>
         <translation>%1 är signerad av ”%2”, %3 av ”%4”, med ett annat certifikat: de utfärdades inte tillsammans.</translation>
+    </message>
+    <message>
+        <source>The result &apos;%1&apos; in line %2 is not known as sensitivity, natural frequency or damping ratio, or is not the only one that may be it.</source>
+        <translation>Resultatet ’%1’ på rad %2 känns inte igen som känslighet, egenfrekvens eller dämpningskvot, eller är inte det enda som kan vara det.</translation>
+    </message>
+    <message>
+        <source>The list in line %1 of the certificate has the frequency %2 Hz more than once, and which of its rows is meant is not guessed.</source>
+        <translation>Listan på rad %1 i kalibreringsbeviset har frekvensen %2 Hz mer än en gång, och det gissas inte vilken av raderna som menas.</translation>
+    </message>
+    <message>
+        <source>The list in line %1 of the certificate has the magnitude %3 at %2 Hz; one above 0 is needed, with the sign in the phase.</source>
+        <translation>Listan på rad %1 i kalibreringsbeviset har beloppet %3 vid %2 Hz; det måste vara över 0, med tecknet i fasen.</translation>
+    </message>
+    <message>
+        <source>The list in line %1 is a response over frequency, but that in line %2, which is not understood, may be the one that is meant, so it is not taken.</source>
+        <translation>Listan på rad %1 är ett svar över frekvens, men den på rad %2, som inte förstås, kan vara den som menas, så den tas inte.</translation>
+    </message>
+    <message>
+        <source>Line %1, %2: the element %3 stands among its text, so what belongs together in it is not known; text alone is needed.</source>
+        <translation>Rad %1, %2: elementet %3 står mitt i texten, så det är inte känt vad i den som hör ihop; enbart text behövs.</translation>
+    </message>
+    <message>
+        <source>Line %1, %2: the element is of another namespace than those of a certificate (https://ptb.de/dcc, https://ptb.de/si), so what it says is not known here.</source>
+        <translation>Rad %1, %2: elementet hör till en annan namnrymd än kalibreringsbevisets (https://ptb.de/dcc, https://ptb.de/si), så det är inte känt vad det säger.</translation>
+    </message>
+    <message>
+        <source>The quantity &apos;%1&apos; in line %2 is by its name or its refType no such value but one about it (an error, an uncertainty, a limit, a nominal value).</source>
+        <translation>Storheten ’%1’ på rad %2 är enligt sitt namn eller sin refType inget sådant värde utan något om det (ett fel, en osäkerhet, en gräns, ett nominellt värde).</translation>
+    </message>
+    <message>
+        <source>The list in line %1 of the certificate has a quantity (line %2) that is not understood and may be the frequencies, so no other is taken for them; its laboratory must correct it.</source>
+        <translation>Listan på rad %1 i kalibreringsbeviset har en storhet (rad %2) som inte förstås och som kan vara frekvenserna, så ingen annan tas i deras ställe; dess laboratorium måste rätta det.</translation>
+    </message>
+    <message>
+        <source>The list in line %1 of the certificate has a quantity (line %2) that is not understood and may be the magnitudes, so no other is taken for them; its laboratory must correct it.</source>
+        <translation>Listan på rad %1 i kalibreringsbeviset har en storhet (rad %2) som inte förstås och som kan vara beloppen, så ingen annan tas i deras ställe; dess laboratorium måste rätta det.</translation>
+    </message>
+    <message>
+        <source>The list in line %1 of the certificate has a quantity (line %2) that is not understood and may be the phases, so none are taken; its laboratory must correct it.</source>
+        <translation>Listan på rad %1 i kalibreringsbeviset har en storhet (rad %2) som inte förstås och som kan vara faserna, så inga tas; dess laboratorium måste rätta det.</translation>
+    </message>
+    <message>
+        <source>An uncertainty at %1 Hz is 0, which counts as unknown; that of each magnitude and of each phase must be stated, above 0.</source>
+        <translation>En osäkerhet vid %1 Hz är 0, vilket räknas som okänd; varje belopps och varje fas osäkerhet måste anges, över 0.</translation>
+    </message>
+    <message>
+        <source>The certificate has another list (line %1) that is not understood and may be the response; name the one that is meant by its id in quantity_id.</source>
+        <translation>Kalibreringsbeviset har en annan lista (rad %1) som inte förstås och som kan vara svaret; ange den som menas med dess id i quantity_id.</translation>
+    </message>
+    <message>
+        <source>comparison.model has an uncertainty of 0, which counts as unknown; u_sensitivity, u_f0_hz and u_zeta must be stated, above 0.</source>
+        <translation>comparison.model har en osäkerhet på 0, vilket räknas som okänd; u_sensitivity, u_f0_hz och u_zeta måste anges, över 0.</translation>
     </message>
 </context>
 <context>

@@ -5,10 +5,12 @@
 
 #include "core/base/ascii_text.h"
 #include "core/base/constants.h"
+#include "core/base/number_text.h"
 #include "core/dcc_reading/own_certificate.h"
+#include "core/dcc_reading/quantity_names.h"
 
 #include <algorithm>
-#include <array>
+#include <cmath>
 #include <functional>
 
 namespace dyncal {
@@ -65,43 +67,57 @@ const StatedQuantity *onlyOf(const Candidates &candidates)
     return candidates.size() == 1 ? candidates.front() : nullptr;
 }
 
-template <std::size_t N>
-bool isCalled(const StatedQuantity &quantity, const std::array<const char *, N> &words)
-{
-    const std::string name = lowerCase(quantity.name);
-    return std::ranges::any_of(
-        words, [&](const char *word) { return name.find(word) != std::string::npos; });
-}
-
 bool isInUnit(const StatedQuantity &one, const char *symbol)
 {
     return one.stated.values.unit.symbol() == symbol;
 }
 
+const std::vector<std::string_view> kSensitivity{
+    "sensitivity", "empfindlichkeit", "k\xC3\xA4nslighet"};
+const std::vector<std::string_view> kNaturalFrequency{
+    "natural frequency", "eigenfrequenz", "eigenfrequency"};
+const std::vector<std::string_view> kDampingRatio{"damping ratio", "d\xC3\xA4mpfungsgrad"};
+
+bool isSensitivity(const StatedQuantity &one)
+{
+    return one.stated.values.unit.isSensitivity() && !isAboutAValue(one.name, one.refTypes);
+}
+
+bool mayBeSensitivity(const UnreadQuantity &one)
+{
+    const bool isInUnit = one.unit ? one.unit->isSensitivity() : isCalled(one.name, kSensitivity);
+    return isInUnit && !isAboutAValue(one.name, one.refTypes);
+}
+
+bool isMeasured(const UnreadQuantity &one)
+{
+    return mayBeSensitivity(one) && one.hasRefType("basic_measuredValue");
+}
+
 const StatedQuantity *foreignSensitivity(const DccContents &contents)
 {
-    const auto isSensitivity
-        = [](const StatedQuantity &one) { return one.stated.values.unit.isSensitivity(); };
     const Candidates all = singleOf(contents, isSensitivity);
-    if (all.size() <= 1)
+    if (all.size() <= 1 && std::ranges::none_of(contents.unread, mayBeSensitivity))
         return onlyOf(all);
+    if (std::ranges::any_of(contents.unread, isMeasured))
+        return nullptr;
     return onlyOf(singleOf(contents, [&](const StatedQuantity &one) {
         return isSensitivity(one) && one.hasRefType("basic_measuredValue");
     }));
 }
 
-const StatedQuantity *foreignNaturalFrequency(const DccContents &contents)
+/// The only one in this unit that is called so; none where another is called so that is not
+/// understood.
+const StatedQuantity *foreignCalled(
+    const DccContents &contents, const char *symbol, const std::vector<std::string_view> &words)
 {
-    constexpr std::array kWords{"natural frequency", "eigenfrequen"};
+    const auto isMeant = [&](const auto &one) {
+        return isCalled(one.name, words) && !isAboutAValue(one.name, one.refTypes);
+    };
+    if (std::ranges::any_of(contents.unread, isMeant))
+        return nullptr;
     return onlyOf(singleOf(contents,
-        [&](const StatedQuantity &one) { return isInUnit(one, "Hz") && isCalled(one, kWords); }));
-}
-
-const StatedQuantity *foreignDampingRatio(const DccContents &contents)
-{
-    constexpr std::array kWords{"damping ratio", "d\xC3\xA4mpfungsgrad"};
-    return onlyOf(singleOf(contents,
-        [&](const StatedQuantity &one) { return isInUnit(one, "1") && isCalled(one, kWords); }));
+        [&](const StatedQuantity &one) { return isInUnit(one, symbol) && isMeant(one); }));
 }
 
 /// Takes what is there over; what it was is remembered.
@@ -119,7 +135,7 @@ void leaveOutOthers(const DccContents &contents, const Candidates &taken, Certif
         if (std::ranges::find(taken, &one) == taken.end())
             sensor.leftOut.push_back(
                 {DYNCAL_TEXT("core",
-                     "The result '%1' in line %2 is not known as sensitivity, natural frequency or damping ratio, or is not the only one."),
+                     "The result '%1' in line %2 is not known as sensitivity, natural frequency or damping ratio, or is not the only one that may be it."),
                     {one.name, std::to_string(one.line)}});
 }
 
@@ -146,23 +162,80 @@ void leaveOutAsSeveral(const std::vector<const StatedTable *> &tables, Certified
             sensor);
 }
 
-/// The only list that is a response; the others with their reasons.
+/// What no sensor has: a frequency twice, or a magnitude that is not above 0.
+Result<void> checkRows(const StatedTable &table, const CertifiedResponse &response)
+{
+    constexpr double kRounding = 1e-9; // of one frequency in two units
+    const auto refused = [&](const char *text, std::size_t row) {
+        return fail(ErrorKind::Usage,
+            {text,
+                {std::to_string(table.line), numberText(response.frequency_Hz[row], 6),
+                    numberText(response.magnitude.values[row], 6)}});
+    };
+    std::vector<double> sorted = response.frequency_Hz;
+    std::ranges::sort(sorted);
+    for (std::size_t i = 1; i < sorted.size(); ++i)
+        if (sorted[i] <= sorted[i - 1] * (1.0 + kRounding))
+            return refused(
+                DYNCAL_TEXT("core",
+                    "The list in line %1 of the certificate has the frequency %2 Hz more than once, and which of its rows is meant is not guessed."),
+                static_cast<std::size_t>(std::ranges::find(response.frequency_Hz, sorted[i])
+                    - response.frequency_Hz.begin()));
+    const auto low = std::ranges::find_if(
+        response.magnitude.values, [](double magnitude) { return !(magnitude > 0.0); });
+    if (low == response.magnitude.values.end())
+        return {};
+    return refused(
+        DYNCAL_TEXT("core",
+            "The list in line %1 of the certificate has the magnitude %3 at %2 Hz; one above 0 is needed, with the sign in the phase."),
+        static_cast<std::size_t>(low - response.magnitude.values.begin()));
+}
+
+Result<CertifiedResponse> soundResponse(const StatedTable &table)
+{
+    return responseOf(table, std::nullopt)
+        .and_then([&](CertifiedResponse response) -> Result<CertifiedResponse> {
+            if (const Result<void> rows = checkRows(table, response); !rows)
+                return tl::unexpected<Error>(rows.error());
+            return response;
+        });
+}
+
+void take(CertifiedResponse response, CertifiedSensor &sensor)
+{
+    // The reason for missing phases has those of the quantities.
+    if (response.whyNoPhases)
+        sensor.leftOut.push_back(*response.whyNoPhases);
+    else
+        append(sensor.leftOut, response.notUnderstood);
+    sensor.response = std::move(response);
+}
+
+/// The only list that is a response, where no other may be one; the others with their reasons.
 void readForeignTables(const DccContents &contents, CertifiedSensor &sensor)
 {
     std::vector<const StatedTable *> responses;
+    const StatedTable *possible = nullptr;
     for (const StatedTable &table : contents.tables) {
-        const Result<CertifiedResponse> response = responseOf(table, std::nullopt);
+        const Result<CertifiedResponse> response = soundResponse(table);
         if (response)
             responses.push_back(&table);
         else
             leaveOut(table, response.error().message, sensor);
+        if (!response && mightBeResponse(table, std::nullopt))
+            possible = &table;
     }
     if (responses.size() > 1)
         return leaveOutAsSeveral(responses, sensor);
     if (responses.empty())
         return;
-    sensor.response = *responseOf(*responses.front(), std::nullopt);
-    append(sensor.leftOut, sensor.response->notUnderstood);
+    if (possible)
+        return leaveOut(*responses.front(),
+            {DYNCAL_TEXT("core",
+                 "The list in line %1 is a response over frequency, but that in line %2, which is not understood, may be the one that is meant, so it is not taken."),
+                {std::to_string(responses.front()->line), std::to_string(possible->line)}},
+            sensor);
+    take(*soundResponse(*responses.front()), sensor);
 }
 
 void readOwnTables(const DccContents &contents, CertifiedSensor &sensor)
@@ -172,11 +245,10 @@ void readOwnTables(const DccContents &contents, CertifiedSensor &sensor)
         return leaveOutAsSeveral(responses, sensor);
     if (responses.empty())
         return;
-    Result<CertifiedResponse> response = responseOf(*responses.front(), std::nullopt);
+    Result<CertifiedResponse> response = soundResponse(*responses.front());
     if (!response)
         return leaveOut(*responses.front(), response.error().message, sensor);
-    append(sensor.leftOut, response->notUnderstood);
-    sensor.response = std::move(*response);
+    take(std::move(*response), sensor);
 }
 
 void readOwn(const DccContents &contents, CertifiedSensor &sensor)
@@ -193,8 +265,8 @@ void readForeign(const DccContents &contents, CertifiedSensor &sensor)
 {
     Candidates taken;
     take(foreignSensitivity(contents), sensor.sensitivity, taken);
-    take(foreignNaturalFrequency(contents), sensor.naturalFrequency, taken);
-    take(foreignDampingRatio(contents), sensor.dampingRatio, taken);
+    take(foreignCalled(contents, "Hz", kNaturalFrequency), sensor.naturalFrequency, taken);
+    take(foreignCalled(contents, "1", kDampingRatio), sensor.dampingRatio, taken);
     leaveOutOthers(contents, taken, sensor);
     readForeignTables(contents, sensor);
 }

@@ -37,10 +37,12 @@ struct CertifiedSensor
 
 /// Results of this program's own certificates are assigned by their refTypes (own_certificate.h),
 /// and what else is in them is not named in leftOut; those of others by unit and name: a response
-/// is the only list that responseOf() reads, a sensitivity the only single quantity in such a unit
-/// (of several the only basic_measuredValue), natural frequency and damping ratio the only ones in
-/// hertz and without unit that are called so in English or German. The serial number is that of the
-/// only item that has one.
+/// is the only list that responseOf() reads and that has each frequency once and magnitudes above
+/// 0, where no other might be one (mightBeResponse()); a sensitivity the only single quantity in
+/// such a unit (of several the only basic_measuredValue), natural frequency and damping ratio the
+/// only ones in hertz and without unit that are called so in English or German (isCalled()). What
+/// is about a value (isAboutAValue()) is none of them, and beside one that is not understood and
+/// may be it no other is taken. The serial number is that of the only item that has one.
 CertifiedSensor certifiedSensor(const DccContents &contents);
 
 } // namespace dyncal

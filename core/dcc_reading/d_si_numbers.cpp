@@ -27,6 +27,14 @@ tl::unexpected<Error> noNumber(const ParsedElement &element, std::string_view wo
         {std::string(word)});
 }
 
+tl::unexpected<Error> holdsElement(const ParsedElement &element)
+{
+    return notUnderstood(element,
+        DYNCAL_TEXT("core",
+            "Line %1, %2: the element %3 stands among its text, so what belongs together in it is not known; text alone is needed."),
+        {element.children.front().name});
+}
+
 tl::unexpected<Error> otherCount(const ParsedElement &element, std::size_t found, std::size_t count)
 {
     return notUnderstood(element,
@@ -78,6 +86,8 @@ Result<const ParsedElement *> neededChild(const ParsedElement &element, std::str
 
 Result<std::vector<double>> numbersIn(const ParsedElement &element)
 {
+    if (!element.children.empty())
+        return holdsElement(element);
     const bool isList = element.name.ends_with("XMLList");
     std::vector<double> numbers;
     for (const std::string &word : wordsIn(element.text)) {
@@ -112,6 +122,8 @@ Result<std::vector<double>> numbersOfChild(
 
 Result<ListedUnit> unitIn(const ParsedElement &element, std::size_t count)
 {
+    if (!element.children.empty())
+        return holdsElement(element);
     const std::vector<std::string> words = wordsIn(element.text);
     if (words.size() != 1 && words.size() != count)
         return otherCount(element, words.size(), count);

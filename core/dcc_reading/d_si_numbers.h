@@ -18,8 +18,8 @@ namespace dyncal {
 Result<const ParsedElement *> neededChild(const ParsedElement &element, std::string_view name);
 
 /// The numbers of the element's text, with "." as decimal mark; in an XML list NaN too, which is
-/// how the D-SI writes that there is no value. Fails on none at all and on what is no finite
-/// number.
+/// how the D-SI writes that there is no value. Fails on none at all, on elements among
+/// the text and on what is no finite number.
 Result<std::vector<double>> numbersIn(const ParsedElement &element);
 
 /// The same, `count` of them: one stands for all. Fails where it is another number of them.

@@ -6,6 +6,7 @@
 #include "core/base/index.h"
 #include "core/dcc_reading/d_si_quantity.h"
 
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -25,6 +26,19 @@ struct StatedQuantity
     bool isComplex() const { return stated.phases_rad.has_value(); }
 };
 
+/// A quantity of the results that is not understood: what it might be.
+struct UnreadQuantity
+{
+    std::string name;
+    std::vector<std::string> refTypes;
+    Index line = 0;
+    std::optional<DSiUnit> unit = {}; ///< empty: not known, or not one
+    /// Whether that names what neither frequencies nor angles have: a volt, a pascal, a decibel.
+    bool isNoAxis = false;
+
+    bool hasRefType(std::string_view refType) const;
+};
+
 /// Words that stand in a list beside its quantities.
 struct StatedWords
 {
@@ -42,6 +56,7 @@ struct StatedTable
     std::vector<StatedQuantity> columns = {};
     std::vector<StatedWords> words = {};
     std::vector<Message> notUnderstood = {}; ///< a sentence for each quantity that is left out
+    std::vector<UnreadQuantity> unread = {}; ///< those that are left out
 };
 
 /// Something that was calibrated.
@@ -65,15 +80,17 @@ struct DccContents
     std::vector<StatedTable> tables = {};
     std::vector<StatedQuantity> single = {}; ///< results that stand in no list
     std::vector<Message> notUnderstood = {}; ///< of the single ones: a sentence for each left out
+    std::vector<UnreadQuantity> unread = {}; ///< of the single ones: those that are left out
 };
 
 /// Reads a certificate of the PTB's schema, version 3.0 to 3.3, whatever prefixes its namespaces
 /// have. Quantities are those of measurementResults/measurementResult/results/result/data, in lists
 /// at any depth; what stands in influence conditions, metadata and equipment is not a result. Words
 /// (noQuantity, charsXMLList) are no quantities. A relative uncertainty, which has no k, is not
-/// taken, and named. A serial number is the identification with the refType basic_serialNumber,
-/// else the only one whose name says so, else the only one of the manufacturer. Fails
-/// (FileUnreadable) as readXml(), and where it is no certificate or of another version.
+/// taken, and named. A quantity with an element of another namespace in it is not understood, and
+/// other elements of another one are none. A serial number is the identification with the refType
+/// basic_serialNumber, else the only one whose name says so, else the only one of the manufacturer.
+/// Fails (FileUnreadable) as readXml(), and where it is no certificate or of another version.
 Result<DccContents> readDcc(std::string_view bytes);
 
 } // namespace dyncal

@@ -6,11 +6,11 @@
 #include "core/base/ascii_text.h"
 #include "core/base/constants.h"
 #include "core/base/propagation.h"
+#include "core/dcc_reading/meant_quantity.h"
+#include "core/dcc_reading/quantity_names.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <functional>
 #include <limits>
 
 namespace dyncal {
@@ -23,54 +23,43 @@ tl::unexpected<Error> refused(Message message)
     return fail(ErrorKind::Usage, std::move(message));
 }
 
-Candidates thoseOf(
-    const Candidates &all, const std::function<bool(const StatedQuantity &)> &isMeant)
-{
-    Candidates meant;
-    for (const StatedQuantity *one : all)
-        if (isMeant(*one))
-            meant.push_back(one);
-    return meant;
-}
-
-/// The quantity that is meant among those in one kind of unit; null where there is none or it is
-/// not clear which.
-const StatedQuantity *meantOf(const Candidates &all, const std::vector<const char *> &refTypes)
-{
-    if (all.size() == 1)
-        return all.front();
-    for (const char *refType : refTypes) {
-        const Candidates named
-            = thoseOf(all, [&](const StatedQuantity &one) { return one.hasRefType(refType); });
-        if (named.size() == 1)
-            return named.front();
-    }
-    const Candidates uncertain
-        = thoseOf(all, [](const StatedQuantity &one) { return !one.stated.values.u.empty(); });
-    return uncertain.size() == 1 ? uncertain.front() : nullptr;
-}
-
-Candidates columnsOf(const StatedTable &table)
-{
-    Candidates columns;
-    for (const StatedQuantity &one : table.columns)
-        columns.push_back(&one);
-    return columns;
-}
-
-std::string linesOf(const Candidates &all)
+template <typename Quantity>
+std::string linesOf(const std::vector<const Quantity *> &all)
 {
     std::vector<std::string> lines;
-    for (const StatedQuantity *one : all)
+    for (const Quantity *one : all)
         lines.push_back(std::to_string(one->line));
     return commaList(lines);
 }
 
-/// `text` begins with the line of the list, place %1; the lines of the candidates are place %2.
-tl::unexpected<Error> notOne(
-    const StatedTable &table, const char *text, const Candidates &all, const std::string &unit = {})
+/// What of the list is not understood, and what is about the values that are asked for.
+std::vector<Message> reasonsOf(const StatedTable &table, const Candidates &about)
 {
-    return refused({text, {std::to_string(table.line), linesOf(all), unit}, table.notUnderstood});
+    std::vector<Message> reasons = table.notUnderstood;
+    for (const StatedQuantity *one : about)
+        reasons.push_back(
+            {DYNCAL_TEXT("core",
+                 "The quantity '%1' in line %2 is by its name or its refType no such value but one about it (an error, an uncertainty, a limit, a nominal value)."),
+                {one->name, std::to_string(one->line)}});
+    return reasons;
+}
+
+/// What may be missing of a list. The texts begin with the line of the list, place %1; place %2 has
+/// the lines of the quantities.
+struct RoleTexts
+{
+    const char *none, *several, *unread;
+};
+
+Message whyNone(const StatedTable &table, const RoleTexts &texts, const MeantQuantity &found,
+    const std::string &unit = {})
+{
+    const bool isUnread = !found.unread.empty();
+    const char *text = isUnread ? texts.unread : texts.several;
+    return {found.inUnit.empty() ? texts.none : text,
+        {std::to_string(table.line), isUnread ? linesOf(found.unread) : linesOf(found.inUnit),
+            unit},
+        reasonsOf(table, found.about)};
 }
 
 constexpr const char *kNoFrequencies = DYNCAL_TEXT("core",
@@ -83,52 +72,71 @@ constexpr const char *kNoneInUnit = DYNCAL_TEXT(
     "core", "The list in line %1 of the certificate has no magnitudes in %3, which are asked for.");
 constexpr const char *kSeveralMagnitudes = DYNCAL_TEXT("core",
     "The list in line %1 of the certificate has several quantities in the unit of a sensitivity (lines %2), and which of them is meant is not guessed; its laboratory must mark it by a refType.");
+constexpr const char *kUnreadFrequencies = DYNCAL_TEXT("core",
+    "The list in line %1 of the certificate has a quantity (line %2) that is not understood and may be the frequencies, so no other is taken for them; its laboratory must correct it.");
+constexpr const char *kUnreadMagnitudes = DYNCAL_TEXT("core",
+    "The list in line %1 of the certificate has a quantity (line %2) that is not understood and may be the magnitudes, so no other is taken for them; its laboratory must correct it.");
+constexpr const char *kUnreadPhases = DYNCAL_TEXT("core",
+    "The list in line %1 of the certificate has a quantity (line %2) that is not understood and may be the phases, so none are taken; its laboratory must correct it.");
 constexpr const char *kSeveralPhases = DYNCAL_TEXT("core",
     "The list in line %1 of the certificate has several angles (lines %2), and which of them are the phases is not guessed; its laboratory must mark them by a refType.");
 
-Result<const StatedQuantity *> frequencyOf(const StatedTable &table, const Candidates &columns)
+QuantityRole frequencies()
 {
-    const Candidates inHertz = thoseOf(columns, [](const StatedQuantity &one) {
-        return !one.isComplex() && one.stated.values.unit.isOf("Hz");
-    });
-    const StatedQuantity *found
-        = meantOf(inHertz, {"dyncal_frequency", "vib_frequency", "basic_tableIndex0"});
-    if (!found)
-        return notOne(table, inHertz.empty() ? kNoFrequencies : kSeveralFrequencies, inHertz);
-    return found;
+    return {[](const DSiUnit &unit) { return unit.isOf("Hz"); },
+        {"dyncal_frequency", "vib_frequency", "basic_tableIndex0"}, true, false, isAboutAFrequency};
+}
+
+QuantityRole magnitudes(const std::optional<DSiUnit> &unit)
+{
+    return {[unit](const DSiUnit &its) {
+                return unit ? its.powers == unit->powers : its.isSensitivity();
+            },
+        {"dyncal_magnitude", "vib_magnitude", "basic_measuredValue"}, false, true, isAboutAValue};
+}
+
+QuantityRole phases()
+{
+    return {[](const DSiUnit &unit) { return unit.isOf("rad"); },
+        {"dyncal_phase", "vib_phase", "basic_measuredValue"}, true, false, isAboutAValue};
+}
+
+Result<const StatedQuantity *> frequencyOf(const StatedTable &table)
+{
+    const MeantQuantity found = meantQuantity(table, frequencies());
+    if (!found.meant)
+        return refused(
+            whyNone(table, {kNoFrequencies, kSeveralFrequencies, kUnreadFrequencies}, found));
+    return found.meant;
 }
 
 Result<const StatedQuantity *> magnitudeOf(
-    const StatedTable &table, const Candidates &columns, const std::optional<DSiUnit> &unit)
+    const StatedTable &table, const std::optional<DSiUnit> &unit)
 {
-    const auto isInUnit = [&unit](const StatedQuantity &one) {
-        const DSiUnit &its = one.stated.values.unit;
-        return unit ? its.powers == unit->powers : its.isSensitivity();
-    };
-    const Candidates inUnit = thoseOf(columns, isInUnit);
-    const Candidates real
-        = thoseOf(inUnit, [](const StatedQuantity &one) { return !one.isComplex(); });
-    const StatedQuantity *found = meantOf(
-        real.empty() ? inUnit : real, {"dyncal_magnitude", "vib_magnitude", "basic_measuredValue"});
-    if (found)
-        return found;
-    if (inUnit.empty())
-        return notOne(
-            table, unit ? kNoneInUnit : kNoMagnitudes, inUnit, unit ? unit->symbol() : "");
-    return notOne(table, kSeveralMagnitudes, inUnit);
+    const MeantQuantity found = meantQuantity(table, magnitudes(unit));
+    if (!found.meant)
+        return refused(whyNone(table,
+            {unit ? kNoneInUnit : kNoMagnitudes, kSeveralMagnitudes, kUnreadMagnitudes}, found,
+            unit ? unit->symbol() : ""));
+    return found.meant;
 }
 
-/// Null where there are none.
-Result<const StatedQuantity *> phaseOf(const StatedTable &table, const Candidates &columns)
+/// The phases beside real magnitudes, if there are any.
+struct FoundPhases
 {
-    const Candidates inRadian = thoseOf(columns, [](const StatedQuantity &one) {
-        return !one.isComplex() && one.stated.values.unit.isOf("rad");
-    });
-    const StatedQuantity *found
-        = meantOf(inRadian, {"dyncal_phase", "vib_phase", "basic_measuredValue"});
-    if (!found && !inRadian.empty())
-        return notOne(table, kSeveralPhases, inRadian);
-    return found;
+    const StatedQuantity *found = nullptr;
+    std::optional<Message> whyNone = {}; ///< where one that is not understood may be them
+};
+
+Result<FoundPhases> phasesOf(const StatedTable &table)
+{
+    const MeantQuantity found = meantQuantity(table, phases());
+    if (found.meant || (found.inUnit.empty() && found.unread.empty()))
+        return FoundPhases{found.meant, {}};
+    Message why = whyNone(table, {kUnreadPhases, kSeveralPhases, kUnreadPhases}, found);
+    if (found.unread.empty())
+        return refused(std::move(why));
+    return FoundPhases{nullptr, std::move(why)};
 }
 
 Result<void> checkLengths(const StatedTable &table, const Candidates &columns)
@@ -217,36 +225,48 @@ CertifiedResponse responseFrom(const StatedTable &table, const std::vector<doubl
 
 Result<CertifiedResponse> responseOf(const StatedTable &table, const std::optional<DSiUnit> &unit)
 {
-    const Candidates columns = columnsOf(table);
-    const Result<const StatedQuantity *> frequency = frequencyOf(table, columns);
+    const Result<const StatedQuantity *> frequency = frequencyOf(table);
     if (!frequency)
         return tl::unexpected<Error>(frequency.error());
-    const Result<const StatedQuantity *> magnitude = magnitudeOf(table, columns, unit);
+    const Result<const StatedQuantity *> magnitude = magnitudeOf(table, unit);
     if (!magnitude)
         return tl::unexpected<Error>(magnitude.error());
+    const bool isComplex = (*magnitude)->isComplex();
+    const Result<FoundPhases> beside = isComplex ? FoundPhases{} : phasesOf(table);
+    if (!beside)
+        return tl::unexpected<Error>(beside.error());
     Candidates used{*frequency, *magnitude};
-    const StatedValues *phases = nullptr;
-    if ((*magnitude)->isComplex()) {
-        phases = &*(*magnitude)->stated.phases_rad;
-    } else {
-        const Result<const StatedQuantity *> phase = phaseOf(table, columns);
-        if (!phase)
-            return tl::unexpected<Error>(phase.error());
-        if (*phase) {
-            used.push_back(*phase);
-            phases = &(*phase)->stated.values;
-        }
+    const StatedValues *phases = isComplex ? &*(*magnitude)->stated.phases_rad : nullptr;
+    if (beside->found) {
+        used.push_back(beside->found);
+        phases = &beside->found->stated.values;
     }
     if (const Result<void> lengths = checkLengths(table, used); !lengths)
         return tl::unexpected<Error>(lengths.error());
     CertifiedResponse response = responseFrom(
         table, (*frequency)->stated.values.values, (*magnitude)->stated.values, phases);
+    response.whyNoPhases = beside->whyNone;
     if (response.frequency_Hz.empty())
         return refused(
             {DYNCAL_TEXT("core",
                  "The list in line %1 of the certificate states no magnitude at any frequency (NaN only)."),
                 {std::to_string(table.line)}});
     return response;
+}
+
+bool mightBeResponse(const StatedTable &table, const std::optional<DSiUnit> &unit)
+{
+    const auto isKnown = [&](const QuantityRole &role) {
+        const auto isIn = [&](const UnreadQuantity &one) { return one.unit && mayBe(one, role); };
+        return !meantQuantity(table, role).inUnit.empty()
+            || std::ranges::any_of(table.unread, isIn);
+    };
+    const auto isPossible = [&](const QuantityRole &role) {
+        return isKnown(role) || !meantQuantity(table, role).unread.empty();
+    };
+    const QuantityRole ofFrequencies = frequencies(), ofMagnitudes = magnitudes(unit);
+    return !table.unread.empty() && isPossible(ofFrequencies) && isPossible(ofMagnitudes)
+        && (isKnown(ofFrequencies) || isKnown(ofMagnitudes)) && !responseOf(table, unit);
 }
 
 bool isOverFrequency(const StatedTable &table)

@@ -298,7 +298,7 @@ constexpr std::array<Stage, kStageCount> kStages{{
         ofModel},
     {Shock, "shock", 6, 1, "SHK-", Model, Shock, true, readShock, kept<&R::shock, shock>(),
         of<&R::shock>},
-    {Reference, "reference transducer", 2, 1, "", Shock, Comparison, true, readReference,
+    {Reference, "reference transducer", 3, 1, "", Shock, Comparison, true, readReference,
         kept<&R::reference, reference>(), saidElsewhere},
     {Response, "response", 9, 30, "RSP-", Reference, Model, true, readResponse,
         kept<&R::response, response>(), of<&R::response>},

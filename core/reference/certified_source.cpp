@@ -3,6 +3,7 @@
 
 #include "core/reference/certified_source.h"
 
+#include "core/base/number_text.h"
 #include "core/reference/reference_csv.h"
 
 #include <utility>
@@ -43,6 +44,18 @@ Result<CertifiedReference> readContent(const CertifiedSource &source)
     });
 }
 
+Result<CertifiedReference> withKnownU(CertifiedReference certified, const CertifiedSource &source)
+{
+    const std::optional<double> without_Hz
+        = source.isRatio ? std::nullopt : certified.sensitivity.withoutU_Hz();
+    if (!without_Hz)
+        return certified;
+    return fail(ErrorKind::Usage,
+        {DYNCAL_TEXT("core",
+             "An uncertainty at %1 Hz is 0, which counts as unknown; that of each magnitude and of each phase must be stated, above 0."),
+            {numberText(*without_Hz, 6)}});
+}
+
 /// Both kinds of files have the same form, so only here it is known what they are of.
 Error named(Error error, const CertifiedSource &source)
 {
@@ -57,7 +70,10 @@ Result<CertifiedReference> readCertifiedSource(const CertifiedSource &source)
 {
     if (const Result<void> file = checkFile(source); !file)
         return tl::unexpected(file.error());
-    return readContent(source).map_error(
+    const auto checked = [&source](CertifiedReference certified) {
+        return withKnownU(std::move(certified), source);
+    };
+    return readContent(source).and_then(checked).map_error(
         [&source](Error error) { return named(std::move(error), source); });
 }
 

@@ -21,11 +21,12 @@ struct CertifiedSource
     std::string quantityId;
     std::string unit; ///< of the magnitudes, "1" of a ratio
     std::shared_ptr<const ReferenceSource> loaded; ///< null where it could not be read
+    bool isRatio = false; ///< to its first row, of which 0 is then the uncertainty
 };
 
 /// What a file of a recipe's section states, as XML (DCC) or CSV. Fails (FileUnreadable) where it
 /// was not read, (DataBlocked) where it has another hash, and (Usage) as readReferenceDcc() and
-/// readReferenceCsv().
+/// readReferenceCsv(), and on an uncertainty of 0, which counts as unknown, unless it is a ratio.
 Result<CertifiedReference> readCertifiedSource(const CertifiedSource &source);
 
 } // namespace dyncal

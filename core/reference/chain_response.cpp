@@ -62,8 +62,8 @@ Result<std::optional<ChainResponse>> chainResponse(const ChainSettings &settings
 {
     if (settings.source.empty())
         return std::optional<ChainResponse>();
-    Result<CertifiedReference> certified = readCertifiedSource(
-        {"chain", settings.source, settings.sha256, settings.quantityId, "1", settings.loaded});
+    Result<CertifiedReference> certified = readCertifiedSource({"chain", settings.source,
+        settings.sha256, settings.quantityId, "1", settings.loaded, true});
     if (!certified)
         return tl::unexpected(certified.error());
     if (const Result<void> usable = checkChain(certified->sensitivity, settings); !usable)

@@ -6,6 +6,7 @@
 #include "core/dcc_reading/dcc_response.h"
 #include "core/dcc_reading/own_certificate.h"
 
+#include <algorithm>
 #include <utility>
 
 namespace dyncal {
@@ -14,18 +15,6 @@ namespace {
 tl::unexpected<Error> refused(Message message)
 {
     return fail(ErrorKind::Usage, std::move(message));
-}
-
-/// Lists with the id, or all over frequency where it is empty.
-std::vector<const StatedTable *> candidatesOf(const DccContents &contents, const std::string &id)
-{
-    if (id.empty())
-        return tablesOverFrequency(contents);
-    std::vector<const StatedTable *> named;
-    for (const StatedTable &table : contents.tables)
-        if (table.id == id)
-            named.push_back(&table);
-    return named;
 }
 
 /// Of several those that are a response in this unit; of a certificate of this program, which has
@@ -42,20 +31,51 @@ std::vector<const StatedTable *> usable(const DccContents &contents,
     return found;
 }
 
+/// Those beside `found` that may be the response in this unit, were they understood.
+std::vector<const StatedTable *> possible(
+    const DccContents &contents, const std::vector<const StatedTable *> &found, const DSiUnit &unit)
+{
+    std::vector<const StatedTable *> tables;
+    for (const StatedTable &table : contents.tables)
+        if (std::ranges::find(found, &table) == found.end() && mightBeResponse(table, unit))
+            tables.push_back(&table);
+    return tables;
+}
+
+/// The only one that is, or may be, a response in this unit.
+Result<const StatedTable *> onlyTable(const DccContents &contents, const DSiUnit &unit)
+{
+    const std::vector<const StatedTable *> all = tablesOverFrequency(contents);
+    const std::vector<const StatedTable *> found
+        = all.size() > 1 ? usable(contents, all, unit) : all;
+    const std::vector<const StatedTable *> others = isOwnCertificate(contents)
+        ? std::vector<const StatedTable *>()
+        : possible(contents, found, unit);
+    if (found.size() + others.size() == 1)
+        return found.empty() ? others.front() : found.front();
+    if (found.size() == 1)
+        return refused(
+            {DYNCAL_TEXT("core",
+                 "The certificate has another list (line %1) that is not understood and may be the response; name the one that is meant by its id in quantity_id."),
+                {std::to_string(others.front()->line)}, others.front()->notUnderstood});
+    return refused(
+        {DYNCAL_TEXT("core",
+             "The certificate has %1 lists over frequency; name the one that is meant by its id in quantity_id."),
+            {std::to_string(all.size())}});
+}
+
 /// The list that is meant.
 Result<const StatedTable *> tableOf(
     const DccContents &contents, const std::string &id, const DSiUnit &unit)
 {
-    const std::vector<const StatedTable *> all = candidatesOf(contents, id);
-    const std::vector<const StatedTable *> found
-        = id.empty() && all.size() > 1 ? usable(contents, all, unit) : all;
-    if (found.size() == 1)
-        return found.front();
     if (id.empty())
-        return refused(
-            {DYNCAL_TEXT("core",
-                 "The certificate has %1 lists over frequency; name the one that is meant by its id in quantity_id."),
-                {std::to_string(all.size())}});
+        return onlyTable(contents, unit);
+    std::vector<const StatedTable *> named;
+    for (const StatedTable &table : contents.tables)
+        if (table.id == id)
+            named.push_back(&table);
+    if (named.size() == 1)
+        return named.front();
     return refused({DYNCAL_TEXT("core",
                         "The certificate has no list with the id '%1' of quantity_id, or several."),
         {id}});
@@ -99,6 +119,8 @@ Result<ReferenceSensitivity> sensitivityOf(
     const Result<CertifiedResponse> response = responseOf(**table, *unit);
     if (!response)
         return tl::unexpected<Error>(response.error());
+    if (response->whyNoPhases) // without them it would be another reference
+        return refused(*response->whyNoPhases);
     Result<std::vector<ReferencePoint>> rows = rowsOf(*response, unitText, unit->factor);
     if (!rows)
         return tl::unexpected<Error>(rows.error());

@@ -20,10 +20,12 @@ struct CertifiedReference
 
 /// Reads a digital calibration certificate (readDcc()): the list with the id `quantityId`, or,
 /// where that is empty, the only list that has frequencies, of several the only one that is a
-/// response in `unit` ("V/Pa", "pC/Pa"). What in it means what: responseOf(). Magnitudes, real or
-/// complex, come in `unit`; rows without a magnitude are left out, and each other one must have its
-/// u. Fails (FileUnreadable) as readDcc(); (Usage) where the list is not there, is several, or
-/// lacks one of them, and as responseOf() and ReferenceSensitivity::fromTable().
+/// response in `unit` ("V/Pa", "pC/Pa"), where no other might be one (mightBeResponse()). What in
+/// it means what: responseOf(); where a quantity that is not understood may be the phases, nothing
+/// is taken. Magnitudes, real or complex, come in `unit`; rows without a magnitude are left out,
+/// and each other one must have its u. Fails (FileUnreadable) as readDcc(); (Usage) where the list
+/// is not there, is several, or lacks one of them, and as responseOf() and
+/// ReferenceSensitivity::fromTable().
 Result<CertifiedReference> readReferenceDcc(
     const std::string &xml, const std::string &quantityId, const std::string &unit);
 

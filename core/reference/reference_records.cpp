@@ -22,13 +22,20 @@ Result<void> checkPlaces(const ComparisonSettings &settings)
     return {};
 }
 
+Result<CertifiedReference> modelWithKnownU(ReferenceSensitivity sensitivity)
+{
+    if (!sensitivity.withoutU_Hz())
+        return CertifiedReference{std::move(sensitivity), {}};
+    return fail(ErrorKind::Usage,
+        {DYNCAL_TEXT("core",
+             "comparison.model has an uncertainty of 0, which counts as unknown; u_sensitivity, u_f0_hz and u_zeta must be stated, above 0."),
+            {}});
+}
+
 Result<CertifiedReference> sensitivityOf(const ComparisonSettings &settings)
 {
     if (settings.model)
-        return ReferenceSensitivity::fromModel(*settings.model)
-            .map([](ReferenceSensitivity sensitivity) {
-                return CertifiedReference{std::move(sensitivity), {}};
-            });
+        return ReferenceSensitivity::fromModel(*settings.model).and_then(modelWithKnownU);
     return readCertifiedSource({"comparison", settings.source, settings.sha256, settings.quantityId,
         settings.unit, settings.loaded});
 }

@@ -32,9 +32,10 @@ struct ReferenceRecords
 };
 
 /// Sensitivity and records of the reference transducer for the shots of `duts`. Fails (Usage)
-/// without a source or model or with both, on a malformed source and on another unit than that of
-/// its channel; (FileUnreadable) where the source was not read; (DataBlocked) on a source with
-/// another hash than the recipe's, a shot without the channel, and as cutAlongside().
+/// without a source or model or with both, on a malformed source, on an uncertainty of 0 and on
+/// another unit than that of its channel; (FileUnreadable) where the source was not read;
+/// (DataBlocked) on a source with another hash than the recipe's, a shot without the channel, and
+/// as cutAlongside().
 Result<ReferenceRecords> referenceRecords(const CaptureSet &set,
     const std::vector<WindowedResponse> &duts, const ComparisonSettings &settings,
     const CheckSettings &checks);

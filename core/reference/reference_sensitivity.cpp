@@ -21,6 +21,13 @@ bool isNotNegative(double u)
     return u >= 0.0 && std::isfinite(u);
 }
 
+constexpr double kFinestUncertainty = 1e-12; ///< of the value: less is rounding error
+
+bool isKnownU(double u, double value)
+{
+    return u > kFinestUncertainty * std::abs(value);
+}
+
 bool hasPhase(const ReferencePoint &row)
 {
     return std::isfinite(row.phase_rad);
@@ -142,6 +149,22 @@ std::optional<ReferencePoint> ReferenceSensitivity::at(double frequency_Hz) cons
     using P = ReferencePoint;
     return ReferencePoint{frequency_Hz, between(&P::magnitude), between(&P::u_magnitude),
         between(&P::phase_rad), between(&P::u_phase_rad), std::min(a.dof, b.dof)};
+}
+
+std::optional<double> ReferenceSensitivity::withoutU_Hz() const
+{
+    if (m_model)
+        return isKnownU(m_model->u_sensitivity, m_model->sensitivity)
+                && isKnownU(m_model->u_f0_Hz, m_model->f0_Hz)
+                && isKnownU(m_model->u_zeta, m_model->zeta)
+            ? std::nullopt
+            : std::optional(0.0);
+    const auto isWithout = [](const ReferencePoint &row) {
+        return !isKnownU(row.u_magnitude, row.magnitude)
+            || (hasPhase(row) && !isKnownU(row.u_phase_rad, 1.0));
+    };
+    const auto found = std::ranges::find_if(m_rows, isWithout);
+    return found == m_rows.end() ? std::nullopt : std::optional(found->frequency_Hz);
 }
 
 ReferencePoint ReferenceSensitivity::lowest() const

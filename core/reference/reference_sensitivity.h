@@ -42,6 +42,11 @@ public:
     /// nobody calibrated the transducer there.
     std::optional<ReferencePoint> at(double frequency_Hz) const;
 
+    /// The lowest frequency at which an uncertainty of a table is not known: 0, or below 1e-12 of
+    /// the value or of a radian, where only rounding errors are left. Of a model 0 where one of its
+    /// three is not. Empty where all are known.
+    std::optional<double> withoutU_Hz() const;
+
     /// What the level of a step is divided by: the model's level, or the lowest row of a table.
     ReferencePoint lowest() const;
 

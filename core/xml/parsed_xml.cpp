@@ -5,10 +5,12 @@
 
 #include "core/base/ascii_text.h"
 #include "core/base/text_encoding.h"
+#include "core/xml/well_formed.h"
 
 #include <pugixml.hpp>
 
 #include <algorithm>
+#include <optional>
 
 namespace dyncal {
 namespace {
@@ -70,7 +72,7 @@ private:
 
 constexpr std::string_view kBlanks = " \t\r\n";
 
-/// Text may be interrupted by comments.
+/// Text may be interrupted by comments, which may leave blanks alone between two of them.
 std::string textOf(const pugi::xml_node &node)
 {
     std::string text;
@@ -80,17 +82,66 @@ std::string textOf(const pugi::xml_node &node)
     return text.find_first_not_of(kBlanks) == text.npos ? std::string() : text;
 }
 
-ParsedElement elementOf(const pugi::xml_node &node, const LineCount &lines)
+/// The tree as values. Names of namespaces that are not known are told apart from those that are.
+class ElementReading
 {
-    ParsedElement element{
-        std::string(withoutPrefix(node.name())), textOf(node), lines.lineOf(node.offset_debug())};
-    for (const pugi::xml_attribute &one : node.attributes())
-        element.attributes.emplace_back(withoutPrefix(one.name()), one.value());
-    for (const pugi::xml_node &below : node)
-        if (below.type() == pugi::node_element)
-            element.children.push_back(elementOf(below, lines)); // no deeper than kDeepestXml
-    return element;
-}
+public:
+    ElementReading(const LineCount &lines, KnownSpace isKnown)
+        : m_lines(lines)
+        , m_isKnown(isKnown)
+    {
+    }
+    ParsedElement elementOf(const pugi::xml_node &node)
+    {
+        const std::size_t outside = m_spaces.size();
+        for (const pugi::xml_attribute &one : node.attributes())
+            declare(one);
+        ParsedElement element{nameOf(node), textOf(node), m_lines.lineOf(node.offset_debug())};
+        for (const pugi::xml_attribute &one : node.attributes())
+            element.attributes.emplace_back(withoutPrefix(one.name()), one.value());
+        for (const pugi::xml_node &below : node)
+            if (below.type() == pugi::node_element)
+                element.children.push_back(elementOf(below)); // no deeper than kDeepestXml
+        m_spaces.resize(outside);
+        return element;
+    }
+
+private:
+    struct Space
+    {
+        std::string_view prefix, address;
+    };
+
+    void declare(const pugi::xml_attribute &attribute)
+    {
+        constexpr std::string_view kBegin = "xmlns:";
+        const std::string_view name = attribute.name();
+        if (name == "xmlns")
+            m_spaces.push_back({"", attribute.value()});
+        else if (name.starts_with(kBegin))
+            m_spaces.push_back({name.substr(kBegin.size()), attribute.value()});
+    }
+    /// Of a prefix that nobody declares the prefix with its colon.
+    std::string_view spaceOf(std::string_view name) const
+    {
+        const std::size_t colon = name.find(':');
+        const std::string_view prefix = colon == name.npos ? "" : name.substr(0, colon);
+        for (auto one = m_spaces.rbegin(); one != m_spaces.rend(); ++one)
+            if (one->prefix == prefix)
+                return one->address;
+        return prefix.empty() ? prefix : name.substr(0, colon + 1);
+    }
+    std::string nameOf(const pugi::xml_node &node) const
+    {
+        const std::string_view space = m_isKnown ? spaceOf(node.name()) : std::string_view();
+        std::string name(withoutPrefix(node.name()));
+        return space.empty() || m_isKnown(space) ? name : '{' + std::string(space) + '}' + name;
+    }
+
+    const LineCount &m_lines;
+    KnownSpace m_isKnown;
+    std::vector<Space> m_spaces;
+};
 
 /// A file may be nested deeper than a stack is, so this does not call itself.
 bool isDeeperThanAllowed(pugi::xml_document &document)
@@ -118,15 +169,16 @@ Result<void> checkSize(std::string_view bytes)
                 std::to_string(kTagsOfElement * kMostXmlElements)}});
 }
 
-tl::unexpected<Error> malformed(const pugi::xml_parse_result &parsed, const LineCount &lines)
+tl::unexpected<Error> malformed(Index line, std::string what)
 {
     return unreadable(
         {DYNCAL_TEXT("core",
              "Line %1 of the XML file is malformed (%2); restore the file as its laboratory sent it."),
-            {std::to_string(lines.lineOf(parsed.offset)), parsed.description()}});
+            {std::to_string(line), std::move(what)}});
 }
 
-Result<ParsedElement> rootOf(pugi::xml_document &document, const LineCount &lines)
+/// What is dear to judge, or harms others, goes before them.
+Result<void> checkForm(pugi::xml_document &document, const std::string &text)
 {
     if (document.find_child([](const auto &node) { return node.type() == pugi::node_doctype; }))
         return unreadable(
@@ -144,7 +196,14 @@ Result<ParsedElement> rootOf(pugi::xml_document &document, const LineCount &line
             {DYNCAL_TEXT("core",
                  "The XML file has several elements that hold everything, where one is needed; restore the file as its laboratory sent it."),
                 {}});
-    return elementOf(document.document_element(), lines);
+    // Blanks before the declaration, which XML forbids, do no harm.
+    const std::string_view whole = text;
+    const std::size_t begin = std::min(whole.find('<'), whole.size());
+    std::optional<XmlFault> fault = faultOfXml(whole.substr(begin));
+    if (!fault)
+        return {};
+    const Index before = std::ranges::count(whole.substr(0, begin), '\n');
+    return malformed(before + fault->line, std::move(fault->what));
 }
 
 } // namespace
@@ -192,18 +251,22 @@ std::string ParsedElement::textAt(const std::vector<std::string_view> &path) con
     return reached ? reached->trimmedText() : std::string();
 }
 
-Result<ParsedElement> readXml(std::string_view bytes)
+Result<ParsedElement> readXml(std::string_view bytes, KnownSpace isKnown)
 {
     if (const Result<void> size = checkSize(bytes); !size)
         return tl::unexpected<Error>(size.error());
-    Result<std::string> text = utf8Of(bytes);
+    const Result<std::string> text = utf8Of(bytes);
     if (!text)
         return tl::unexpected<Error>(text.error());
     const LineCount lines(*text);
     pugi::xml_document document;
-    const pugi::xml_parse_result parsed = document.load_buffer_inplace(
-        text->data(), text->size(), pugi::parse_default | pugi::parse_doctype, pugi::encoding_utf8);
-    return parsed ? rootOf(document, lines) : malformed(parsed, lines);
+    const pugi::xml_parse_result parsed = document.load_buffer(text->data(), text->size(),
+        pugi::parse_default | pugi::parse_doctype | pugi::parse_ws_pcdata, pugi::encoding_utf8);
+    if (!parsed)
+        return malformed(lines.lineOf(parsed.offset), parsed.description());
+    if (const Result<void> form = checkForm(document, *text); !form)
+        return tl::unexpected<Error>(form.error());
+    return ElementReading(lines, isKnown).elementOf(document.document_element());
 }
 
 std::vector<std::string> wordsIn(std::string_view text)

@@ -219,6 +219,101 @@ private slots:
         QVERIFY(sensor.serial.empty());
         QVERIFY(english(sensor.whyNoSerial).find("4711, 4711") != std::string::npos);
     }
+
+    /// Quantities in the right unit that are about the sensor's value, or of something else.
+    void whatIsNoSensitivity_isNotTaken()
+    {
+        const std::string S = dccQuantity("5", "\\volt\\pascal\\tothe{-1}", "0.1"),
+                          f = dccQuantity("3", "\\kilo\\hertz", "0.1"),
+                          ratio = dccQuantity("2", "\\percent", "0.1");
+        for (const char *type : {"basic_nominalValue", "basic_measurementError"})
+            QVERIFY2(!sensorIn(dccMarked(S, type)).sensitivity, type);
+        for (const char *name : {"Transverse sensitivity", "Expanded uncertainty", "U (k = 2)",
+                 "Hysteresis (deviation)", "relative change per pressure"}) {
+            const CertifiedSensor sensor = sensorIn(dccMarked(S, "", name));
+            QVERIFY2(!sensor.sensitivity && sensor.leftOut.size() == 1, name);
+        }
+        for (const char *name :
+            {"Deviation of natural frequency", "Uncertainty of the natural frequency (k=2)",
+                "highest frequency below a third of the natural frequency"})
+            QVERIFY2(!sensorIn(dccMarked(f, "", name)).naturalFrequency, name);
+        for (const char *name : {"change of the damping ratio since last calibration",
+                 "Uncertainty of the damping ratio"})
+            QVERIFY2(!sensorIn(dccMarked(ratio, "", name)).dampingRatio, name);
+        QVERIFY(sensorIn(dccMarked(S, "", "Sensitivity at nominal pressure (k = 2)")).sensitivity);
+    }
+
+    void neighboursOfUnreadOnes_areNotTaken()
+    {
+        const std::string unit = "\\volt\\pascal\\tothe{-1}", S = dccQuantity("5", unit),
+                          bad = dccQuantity("5,0", unit);
+        QVERIFY(!sensorIn(S + bad).sensitivity);
+        QVERIFY(!sensorIn(S + dccMarked(dccQuantity("-9", "\\decibel"), "", "Sensitivity"))
+                     .sensitivity);
+        QVERIFY(sensorIn(S + dccQuantity("1", "\\furlong")).sensitivity);
+        QVERIFY(sensorIn(dccMarked(S, "basic_measuredValue") + bad).sensitivity);
+        QVERIFY(
+            !sensorIn(dccMarked(S, "basic_measuredValue") + dccMarked(bad, "basic_measuredValue"))
+                 .sensitivity);
+        const auto natural = [](const std::string &value) {
+            return dccMarked(dccQuantity(value, "\\kilo\\hertz"), "", "Natural frequency");
+        };
+        QVERIFY(sensorIn(natural("300")).naturalFrequency);
+        QVERIFY(!sensorIn(natural("300") + natural("300,5")).naturalFrequency);
+        // a list that is not understood may be the meant one
+        const CertifiedSensor sensor = sensorIn(dccList(kFrequencies + kMagnitudes)
+            + dccList(kFrequencies + dccQuantity("2,5 3 4", unit), "b"));
+        QVERIFY(!sensor.response);
+        QCOMPARE(sensor.leftOut.size(), std::size_t(2));
+    }
+
+    void phasesThatAreNotUnderstood_areToldOnce()
+    {
+        const CertifiedSensor sensor
+            = sensorIn(dccList(kFrequencies + kMagnitudes + dccQuantity("1,5 2 3", "\\degree")));
+        QVERIFY(sensor.response && !sensor.response->phase_rad);
+        QCOMPARE(sensor.leftOut.size(), std::size_t(1));
+        QVERIFY(english(sensor.leftOut[0]).find("1,5") != std::string::npos);
+    }
+
+    void rowsThatNoSensorHas_areRefused()
+    {
+        const auto faultIn = [](const std::string &quantities) {
+            const CertifiedSensor sensor = sensorIn(dccList(quantities));
+            return sensor.response || sensor.leftOut.empty() ? std::string()
+                                                             : english(sensor.leftOut[0]);
+        };
+        const std::string unit = "\\volt\\pascal\\tothe{-1}";
+        QVERIFY(faultIn(dccQuantity("100 1000 100", "\\hertz") + kMagnitudes)
+                    .find("100 Hz more than once")
+            != std::string::npos);
+        QVERIFY(!faultIn(dccQuantity("0.1 100 1000", "\\kilo\\hertz \\hertz \\hertz") + kMagnitudes)
+                     .empty());
+        for (const char *low : {"2 -3 4", "2 0 4"})
+            QVERIFY2(faultIn(kFrequencies + dccQuantity(low, unit)).find("at 10 Hz")
+                    != std::string::npos,
+                low);
+        QVERIFY(faultIn(dccQuantity("100 10 1", "\\hertz") + kMagnitudes).empty()); // in any order
+    }
+
+    /// Elements that look like those of the D-SI and are of another namespace.
+    void foreignElements_areNotRead()
+    {
+        std::string evil = dccOf(dccList(kFrequencies + kMagnitudes));
+        const std::string open = "<si:realListXMLList>";
+        const std::size_t at = evil.rfind(open);
+        evil.insert(at + open.size() - 1, " xmlns:si=\"http://evil/\"");
+        const CertifiedSensor sensor = certifiedSensor(readDcc(evil).value());
+        QVERIFY(!sensor.response);
+        QVERIFY(
+            english(sensor.leftOut[0]).find("{http://evil/}realListXMLList") != std::string::npos);
+        const auto list
+            = readDcc(dccOf(dccList(kFrequencies + "<x:quantity xmlns:x='evil'/>"))).value();
+        QVERIFY(english(list.tables[0].notUnderstood.at(0)).find("{evil}quantity")
+            != std::string::npos);
+        const auto single = readDcc(dccOf("<x:quantity xmlns:x='evil'/>")).value();
+        QCOMPARE(single.notUnderstood.size(), std::size_t(1));
+    }
 };
 
 DYNCAL_TEST(TestCertifiedSensor)

@@ -121,6 +121,18 @@ private slots:
         QVERIFY(std::abs(*unitRatio("pC/Pa", "C/Pa") / 1e-12 - 1) < 1e-12);
         QVERIFY(!unitRatio("V/Pa", "V/N") && !unitRatio("g/Pa", "g/Pa"));
     }
+
+    void elementsAmongNumbers_areRefused()
+    {
+        for (const char *name : {"value", "valueXMLList"}) {
+            const auto numbers = numbersIn(
+                readXml("<" + std::string(name) + ">5<x/>0e-6</" + std::string(name) + ">")
+                    .value());
+            QVERIFY(!numbers
+                && english(numbers.error().message).find("element x") != std::string::npos);
+        }
+        QVERIFY(!unitIn(readXml("<unit>\\vo<x/>lt</unit>").value(), 1));
+    }
 };
 
 DYNCAL_TEST(TestDSiNumbers)

@@ -64,6 +64,7 @@ std::string certificate(const std::string &version, const std::string &prefix,
     replace("IDENTIFICATION", identification);
     replace("DATA", data);
     replace("VERSION", version);
+    replace("xmlns:P", prefix.empty() ? "xmlns" : "xmlns:" + prefix);
     replace("P:", prefix.empty() ? "" : prefix + ":");
     return text;
 }

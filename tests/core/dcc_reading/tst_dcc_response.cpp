@@ -235,6 +235,84 @@ private slots:
         QVERIFY(faultOf(tableOf(dccQuantity("4 5", "\\hertz"))).find("no magnitudes in the unit")
             != std::string::npos);
     }
+
+    /// Where the meant quantity is not understood, its neighbour is not taken for it.
+    void neighboursOfUnreadOnes_areNotTaken()
+    {
+        const std::string f = dccQuantity("1 2", "\\hertz"), m = dccQuantity("4 5", kUnit, "0.2"),
+                          noK = dccQuantity("4 5", kUnit, "0.2", "");
+        const auto isUnread = [](const std::string &quantities, const char *what) {
+            const std::string fault = faultOf(tableOf(quantities));
+            return fault.find("not understood and may be the " + std::string(what))
+                != std::string::npos;
+        };
+        for (const std::string &bad :
+            {dccQuantity("1,5 2", "\\hertz"), dccQuantity("1 2", "\\hertzz")})
+            QVERIFY(isUnread(bad + f + m, "frequencies"));
+        for (const std::string &bad :
+            {dccQuantity("4,5 5", kUnit), noK, dccQuantity("-9 -8", "\\decibel")})
+            QVERIFY(isUnread(dccMarked(f, "vib_frequency") + bad + m, "magnitudes"));
+        QVERIFY(isUnread(
+            f + dccMarked(m, "vib_magnitude") + dccMarked(noK, "vib_magnitude"), "magnitudes"));
+        QVERIFY(isUnread(f + dccMarked(m, "basic_measuredValue") + dccMarked(noK, "vib_magnitude"),
+            "magnitudes"));
+        const std::string angle = dccQuantity("1 1", "\\degree");
+        const CertifiedResponse without
+            = responseIn(f + m + dccQuantity("1,5 1", "\\degree") + angle);
+        QVERIFY(!without.phase_rad && without.whyNoPhases);
+        QVERIFY(english(*without.whyNoPhases).find("1,5") != std::string::npos);
+        QVERIFY(responseIn(f + m + dccQuantity("1,5 1", "\\degree")).whyNoPhases.has_value());
+    }
+
+    /// Marks say which is meant; what is about a value, marked for something else or of another
+    /// unit is not it.
+    void unreadOnes_thatAreSomethingElse_doNotHinder()
+    {
+        const std::string f = dccQuantity("1 2", "\\hertz"), m = dccQuantity("4 5", kUnit, "0.2"),
+                          noK = dccQuantity("4 5", kUnit, "0.2", "");
+        for (const std::string &other : {dccMarked(noK, "", "Expanded uncertainty"),
+                 dccMarked(noK, "basic_nominalValue"), dccMarked(noK, "vib_phase"),
+                 dccQuantity("20 21", "\\degreecelsius"), dccQuantity("4,5 5", "\\volt"),
+                 dccMarked(dccQuantity("4 5", "\\furlong"), "basic_temperature")}) {
+            const CertifiedResponse response = responseIn(f + m + other);
+            QCOMPARE(response.magnitude.values, (std::vector<double>{4, 5}));
+            QVERIFY(!response.whyNoPhases);
+        }
+        QCOMPARE(
+            responseIn(dccMarked(f, "vib_frequency") + dccMarked(m, "basic_measuredValue") + noK)
+                .magnitude.values,
+            (std::vector<double>{4, 5}));
+    }
+
+    void whatIsAboutAValue_isNotTheValue()
+    {
+        const std::string f = dccQuantity("1 2", "\\hertz"), m = dccQuantity("4 5", kUnit);
+        for (const char *type : {"basic_measurementError", "basic_nominalValue",
+                 "basic_referenceValue", "basic_lowerLimit", "basic_upperLimit"}) {
+            const std::string fault = faultOf(tableOf(f + dccMarked(m, type)));
+            QVERIFY2(fault.find("no magnitudes") != std::string::npos, type);
+            QVERIFY2(fault.find("by its name or its refType") != std::string::npos, type);
+        }
+        QVERIFY(!faultOf(tableOf(f + dccMarked(m, "", "Deviation"))).empty());
+        QVERIFY(!faultOf(tableOf(dccMarked(f, "", "Resolution bandwidth") + m)).empty());
+        QCOMPARE(
+            responseIn(dccMarked(f, "basic_nominalValue", "Nominal frequency") + m).frequency_Hz,
+            (std::vector<double>{1, 2}));
+    }
+
+    void listsThatMightBeResponses_areTold()
+    {
+        const std::string f = dccQuantity("1 2", "\\hertz"), m = dccQuantity("4 5", kUnit),
+                          bad = dccQuantity("1,5 2", "\\hertz"),
+                          worse = dccQuantity("1", "\\furlong");
+        const auto might = [](const std::string &quantities, const char *unit = "V/Pa") {
+            return mightBeResponse(tableOf(quantities), unitOfSymbol(unit));
+        };
+        QVERIFY(might(bad + m) && might(f + worse) && might(worse + m) && might(f + m + worse));
+        QVERIFY(
+            !might(f + m) && !might(worse + worse) && !might(f + dccQuantity("1,2 3", "\\volt")));
+        QVERIFY(!might(bad + m, "V/N"));
+    }
 };
 
 DYNCAL_TEST(TestDccResponse)

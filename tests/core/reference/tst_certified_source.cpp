@@ -107,6 +107,21 @@ private slots:
     }
 
     void emptyFile_isNoTable() { QVERIFY(!faultOf(sourceOf(""), ErrorKind::Usage).empty()); }
+
+    /// An uncertainty of 0 is none; of a ratio the first row's is 0 by its nature.
+    void uncertaintyOf0_countsAsUnknown()
+    {
+        const std::string head = "frequency_hz,magnitude,u_magnitude,phase_rad,u_phase_rad\n";
+        for (const char *row :
+            {"1e3,0.2,0,0,0.1\n", "1e3,0.2,1e-14,0,0.1\n", "1e3,0.2,1e-3,0,0\n"}) {
+            CertifiedSource source = sourceOf(head + "1e2,0.2,1e-3,0,0.1\n" + row);
+            const std::string fault = faultOf(source, ErrorKind::Usage);
+            QVERIFY2(fault.find("at 1000 Hz is 0, which counts as unknown") != fault.npos, row);
+            source.isRatio = true;
+            QVERIFY(readCertifiedSource(source).has_value());
+        }
+        QVERIFY(readCertifiedSource(sourceOf(head + "1e3,0.2,1e-11,0,1e-9\n")).has_value());
+    }
 };
 
 DYNCAL_TEST(TestCertifiedSource)

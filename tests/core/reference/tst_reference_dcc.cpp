@@ -238,6 +238,32 @@ private slots:
             QVERIFY(!made && made.error().kind == ErrorKind::FileUnreadable);
         }
     }
+
+    /// A column that is not understood refuses the reference; nothing is put in its place.
+    void columnsThatAreNotUnderstood_refuseIt()
+    {
+        using testing::dccMarked;
+        const std::string unit = "\\volt\\mega\\pascal\\tothe{-1}",
+                          angles = dccQuantity("1 1 1", "\\degree", "0.5"),
+                          noK = dccQuantity("1 1 1", "\\degree", "0.5", "");
+        const auto said = [](const std::string &quantities, const char *what) {
+            return faultOfXml(dccOf(dccList(quantities)))
+                       .find("not understood and may be the " + std::string(what))
+                != std::string::npos;
+        };
+        QVERIFY(
+            said(dccQuantity("1 10 100", "\\hertzz") + kFrequencies + kMagnitudes, "frequencies"));
+        QVERIFY(said(kFrequencies + dccQuantity("1,5 2 3", unit) + kMagnitudes, "magnitudes"));
+        QVERIFY(said(kFrequencies + kMagnitudes + noK, "phases"));
+        QVERIFY(said(kFrequencies + kMagnitudes + noK + angles, "phases"));
+        QVERIFY(faultOfXml(dccOf(dccList(dccQuantity("1,5 10 100", "\\kilo\\hertz") + kMagnitudes)))
+                    .find("1,5")
+            != std::string::npos);
+        const std::string two = dccOf(dccList(kFrequencies + kMagnitudes)
+            + dccList(kFrequencies + dccQuantity("1,5 2 3", unit, "0.1"), "b"));
+        QVERIFY(faultOfXml(two).find("another list (line") != std::string::npos);
+        QVERIFY(faultOfXml(two, "a").empty());
+    }
 };
 
 DYNCAL_TEST(TestReferenceDcc)

@@ -152,6 +152,25 @@ private slots:
             QVERIFY(!made && made.error().kind == ErrorKind::Usage);
         }
     }
+
+    void uncertaintiesThatAreNotKnown_areFound()
+    {
+        auto rows = twoRows();
+        QVERIFY(!ReferenceSensitivity::fromTable(rows)->withoutU_Hz());
+        rows[1].u_phase_rad = 0.0;
+        QCOMPARE(*ReferenceSensitivity::fromTable(rows)->withoutU_Hz(), 10000.0);
+        rows[0].u_magnitude = 1e-13 * rows[0].magnitude;
+        QCOMPARE(*ReferenceSensitivity::fromTable(rows)->withoutU_Hz(), 100.0);
+        QVERIFY(!ReferenceSensitivity::fromTable({{1.0, 2.0, 0.1}})->withoutU_Hz());
+        const ReferenceModel known{1e-5, 1e-8, 1e6, 1e3, 0.1, 1e-3};
+        QVERIFY(!ReferenceSensitivity::fromModel(known)->withoutU_Hz());
+        for (double ReferenceModel::*u :
+            {&ReferenceModel::u_sensitivity, &ReferenceModel::u_f0_Hz, &ReferenceModel::u_zeta}) {
+            ReferenceModel model = known;
+            model.*u = 0.0;
+            QCOMPARE(*ReferenceSensitivity::fromModel(model)->withoutU_Hz(), 0.0);
+        }
+    }
 };
 
 DYNCAL_TEST(TestReferenceSensitivity)

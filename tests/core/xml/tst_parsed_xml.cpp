@@ -87,7 +87,44 @@ private slots:
         for (const char *text : {"<!DOCTYPE a><a/>", "<!DOCTYPE a SYSTEM 'http://x/y.dtd'><a/>",
                  "<!DOCTYPE a [<!ENTITY e SYSTEM 'file:///etc/passwd'>]><a>&e;</a>"})
             QVERIFY2(faultOf(text).find("DOCTYPE") != std::string::npos, text);
-        QCOMPARE(readXml("<a>&e;&lt;</a>")->text, std::string("&e;<")); // nobody declares it
+        QCOMPARE(readXml("<a>&amp;&lt;</a>")->text, std::string("&<"));
+    }
+
+    /// What pugixml passes over: entities that nobody declares, characters that are none, an
+    /// attribute twice.
+    void malformedText_isRefused_withItsLine()
+    {
+        for (const char *text : {"<a>\n5.2&#0;e-6</a>", "<a>\n&e;</a>", "<a>\n5&#12;6</a>",
+                 "<a>\n5\x01</a>", "<a>\n<b c='1' c='2'/></a>", "<a>\n]]></a>", "<a>\n&</a>",
+                 "<a>\n<b c='<'/></a>", "<a>\n<!-- -- --></a>"})
+            QVERIFY2(faultOf(text).find("Line 2 of the XML file is malformed") == 0,
+                (text + (": " + faultOf(text))).c_str());
+        QVERIFY(faultOf("<?xml version='1.0' encoding='UTF-16'?><a/>").empty()); // it is UTF-8
+        QVERIFY(faultOf("\xEF\xBB\xBF \n<?xml version='1.0'?><a/>").empty());
+        QVERIFY(faultOf(" \n<?xml version='1.0'?><a>\n&#0;</a>").find("Line 3 ") == 0);
+    }
+
+    /// Blanks part words, though only between comments, instructions or empty sections.
+    void blanksBetweenComments_partWords()
+    {
+        for (const char *between : {"<!----> <!---->", "<?a?> <?a?>", "<![CDATA[]]> <![CDATA[]]>",
+                 "<!-- -->\n<?a b?>", "<![CDATA[ ]]>"})
+            QCOMPARE(wordsIn(readXml("<a>5" + std::string(between) + "6</a>")->text),
+                (std::vector<std::string>{"5", "6"}));
+        QCOMPARE(readXml("<a>5<!-- -->6</a>")->text, std::string("56"));
+        QCOMPARE(readXml("<a> <b/> \n <!-- --> <c/> </a>")->text, std::string());
+    }
+
+    void namespacesThatAreNotKnown_areInTheNames()
+    {
+        const auto isKnown = [](std::string_view address) { return address == "known"; };
+        const auto root = readXml("<p:a xmlns:p='known'><p:b xmlns:p='evil'><p:c/></p:b><p:d/>"
+                                  "<q:e/><f xmlns='evil'><g xmlns=''/></f><h/></p:a>",
+            isKnown);
+        QCOMPARE(root->name, std::string("a"));
+        QVERIFY(root->at({"{evil}b", "{evil}c"}) && root->at({"{evil}f", "g"}));
+        QVERIFY(root->child("d") && root->child("{q:}e") && root->child("h"));
+        QCOMPARE(readXml("<p:a xmlns:p='evil'/>")->name, std::string("a"));
     }
 
     void limits_areHeld()
