@@ -27,6 +27,7 @@ template <typename Quantity>
 std::string linesOf(const std::vector<const Quantity *> &all)
 {
     std::vector<std::string> lines;
+    lines.reserve(all.size());
     for (const Quantity *one : all)
         lines.push_back(std::to_string(one->line));
     return commaList(lines);

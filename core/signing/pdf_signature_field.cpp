@@ -89,7 +89,7 @@ SignatureObjects objectsOf(QPDF &pdf)
     return found;
 }
 
-bool isSame(Object one, Object other)
+bool isSame(const Object &one, const Object &other)
 {
     return one.isIndirect() && one.getObjGen() == other.getObjGen();
 }

@@ -34,6 +34,33 @@ private slots:
         QVERIFY(faultOfXml("").has_value());
     }
 
+    /// A document that was cut off anywhere is none; one that is put behind another neither.
+    void everyPart_isAFault()
+    {
+        const std::string whole
+            = "<?xml version='1.0'?><a b='1'>x<c/>&#65;<![CDATA[<]]><!-- d --><?e f?>\xC3\xA5</a>";
+        QVERIFY(!faultOfXml(whole));
+        for (std::size_t size = 0; size < whole.size(); ++size)
+            QVERIFY2(faultOfXml(std::string_view(whole).substr(0, size)),
+                qPrintable(QString::number(size)));
+        QVERIFY(faultOfXml(whole + "<a/>").has_value());
+        QVERIFY(faultOfXml("x" + whole).has_value());
+        QVERIFY(!faultOfXml(whole + "\n<!-- behind -->\n"));
+    }
+
+    /// XML 1.0, 2.2: no control characters but tab and line ends, neither as such nor as a number.
+    void controlCharacters_areFaults()
+    {
+        for (int code = 0; code < 0x20; ++code) {
+            const bool isBlank = code == '\t' || code == '\n' || code == '\r';
+            std::string text = "<a>x</a>";
+            text[3] = static_cast<char>(code);
+            QCOMPARE(faultOfXml(text).has_value(), !isBlank);
+            text = "<a>&#" + std::to_string(code) + ";</a>";
+            QCOMPARE(faultOfXml(text).has_value(), !isBlank);
+        }
+    }
+
     /// Linear in the bytes, however long one text is.
     void largeTexts_takeTheirTime()
     {
