@@ -126,7 +126,7 @@ std::vector<std::pair<std::string, ReportedValue>> dccValues(const CalibrationRe
             if (!shock.uncertainty)
                 continue;
             ReportedValue value = stepValue(*shock.uncertainty, result, shock.shot);
-            std::string key = "shock[" + std::to_string(i) + "]." + value.of;
+            std::string key = "shock" + placeOf(i) + "." + value.of;
             all.emplace_back(std::move(key), std::move(value));
         }
     }

@@ -8,6 +8,16 @@ namespace {
 
 UncertaintyLine lineOf(const BudgetLine &line, const ShotSensitivity &shot)
 {
+    UncertaintyLine part = sourceLine(line, shot.shot);
+    part.contribution = -line.contribution[static_cast<Index>(StepResult::Step)] / *shot.step_Pa;
+    part.sensitivity = part.u > 0.0 ? part.contribution / part.u : 0.0;
+    return part;
+}
+
+} // namespace
+
+UncertaintyLine sourceLine(const BudgetLine &line, Index shot)
+{
     UncertaintyLine part;
     part.quantity = line.input.quantity;
     part.value = line.input.value;
@@ -15,15 +25,11 @@ UncertaintyLine lineOf(const BudgetLine &line, const ShotSensitivity &shot)
     part.distribution = line.input.distribution;
     part.dof = line.input.dof;
     part.correlated = line.input.correlated;
-    part.contribution = -line.contribution[static_cast<Index>(StepResult::Step)] / *shot.step_Pa;
-    part.sensitivity = part.u > 0.0 ? part.contribution / part.u : 0.0;
     if (line.input.common)
         return part;
-    part.shot = shot.shot;
+    part.shot = shot;
     return with(OverShots::Own, part);
 }
-
-} // namespace
 
 std::vector<UncertaintyLine> shotLines(
     const ShotSensitivity &shot, const StepUncertainty &step, double levelDof)

@@ -12,6 +12,10 @@
 
 namespace dyncal {
 
+/// The source of a line of a step's budget (evaluateStep()), without what it does to a value: of
+/// `shot` where other shots do not share its error, else of all.
+UncertaintyLine sourceLine(const BudgetLine &line, Index shot);
+
 /// What makes the sensitivity of one shot uncertain, relative to it: the noise of its level, of
 /// `levelDof` degrees of freedom, and every input of its step, which acts the other way round for
 /// a larger step makes it smaller. Inputs that all shots have in common are OverShots::Shared, the

@@ -10,11 +10,6 @@ namespace {
 
 using ByKey = std::vector<std::pair<std::string, const ReportedValue *>>;
 
-std::string placeOf(std::size_t i)
-{
-    return "[" + std::to_string(i) + "]";
-}
-
 /// In the order of the summary's levels and of the shots.
 void addSensitivities(const UncertaintyReport &report, ByKey &all)
 {
@@ -42,6 +37,11 @@ void addAmplitudes(const CalibrationResults &results, ByKey &all)
 }
 
 } // namespace
+
+std::string placeOf(std::size_t i)
+{
+    return "[" + std::to_string(i) + "]";
+}
 
 ByKey reportedByKey(const CalibrationResults &results)
 {

@@ -41,11 +41,6 @@ void addLines(const std::string &of, const ReportedValue &reported, UncertaintyJ
         list.push_back(lineJson(of, line, reported));
 }
 
-std::string placeOf(std::size_t i)
-{
-    return "[" + std::to_string(i) + "]";
-}
-
 /// The budget of each row of S(f): "response.magnitude[3]", "response.phase_rad[3]"; of those at
 /// the marked frequencies with `of` "response.marked", of a comparison "comparison".
 void addRowLines(const std::string &of, const ResponseResult &response, const RowUncertainty &rows,

@@ -3,7 +3,10 @@
 
 #include "core/uncertainty/step_value.h"
 
+#include "core/model_analysis/shot_lines.h"
+
 #include <array>
+#include <utility>
 
 namespace dyncal {
 namespace {
@@ -18,23 +21,6 @@ struct NamedResult
 constexpr std::array<NamedResult, kStepResults> kNames{
     {{"velocity_m_s", "m/s"}, {"mach", ""}, {"p2_pa", "Pa"}, {"p5_pa", "Pa"}, {"step_pa", "Pa"}}};
 
-UncertaintyLine lineOf(const BudgetLine &line, Index result, Index shot)
-{
-    UncertaintyLine part;
-    part.quantity = line.input.quantity;
-    part.value = line.input.value;
-    part.u = line.input.u;
-    part.distribution = line.input.distribution;
-    part.dof = line.input.dof;
-    part.correlated = line.input.correlated;
-    part.sensitivity = line.sensitivity[result];
-    part.contribution = line.contribution[result];
-    if (line.input.common)
-        return part;
-    part.shot = shot;
-    return with(OverShots::Own, part);
-}
-
 } // namespace
 
 ReportedValue stepValue(const StepUncertainty &step, StepResult result, Index shot)
@@ -44,8 +30,12 @@ ReportedValue stepValue(const StepUncertainty &step, StepResult result, Index sh
     ReportedValue reported{name.of, step.budget.value[at], name.unit};
     if (!step.u(result))
         return reported;
-    for (const BudgetLine &line : step.budget.lines)
-        reported.lines.push_back(lineOf(line, at, shot));
+    for (const BudgetLine &line : step.budget.lines) {
+        UncertaintyLine part = sourceLine(line, shot);
+        part.sensitivity = line.sensitivity[at];
+        part.contribution = line.contribution[at];
+        reported.lines.push_back(std::move(part));
+    }
     combineLines(reported);
     return reported;
 }
