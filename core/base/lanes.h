@@ -16,8 +16,10 @@
 
 namespace dyncal {
 
-/// Four doubles that need not be aligned to 32 bytes.
-using Lanes = double __attribute__((vector_size(32), aligned(8), may_alias));
+/// Four doubles that need not be aligned to 32 bytes. The attributes stand before the equals sign:
+/// of a type behind it, clang drops the alignment without a word.
+using Lanes __attribute__((vector_size(32), aligned(8), may_alias)) = double;
+static_assert(alignof(Lanes) == alignof(double));
 inline constexpr Index kLanes = 4;
 
 DYNCAL_INLINE const Lanes *lanes(const double *data)

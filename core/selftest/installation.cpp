@@ -61,7 +61,7 @@ std::string hdf5Version()
 std::string compilerText()
 {
 #if defined(__clang__)
-    return "clang " __clang_version__;
+    return "clang " + dotted(__clang_major__, __clang_minor__, __clang_patchlevel__);
 #else
     return "g++ " __VERSION__;
 #endif
