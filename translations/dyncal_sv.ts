@@ -9798,10 +9798,6 @@ steget</translation>
         <translation>%1 är ingen adress till en tidsstämplingstjänst som kan frågas: den ska vara http://HOST[:PORT]/PATH. Vanlig http räcker, eftersom tidsstämpeln själv är signerad.</translation>
     </message>
     <message>
-        <source>%1 cannot be reached, or did not answer in time or with what was asked for; look whether the address is right and the network is there, or leave the time stamp out.</source>
-        <translation>%1 kan inte nås, eller svarade inte i tid eller inte med det som begärdes; se efter om adressen är rätt och nätet finns, eller utelämna tidsstämpeln.</translation>
-    </message>
-    <message>
         <source>The passphrase does not open the key in %1; give the right one.</source>
         <translation>Lösenfrasen öppnar inte nyckeln i %1; ge den rätta.</translation>
     </message>
@@ -10344,6 +10340,30 @@ steget</translation>
     <message>
         <source>comparison.model has an uncertainty of 0, which counts as unknown; u_sensitivity, u_f0_hz and u_zeta must be stated, above 0.</source>
         <translation>comparison.model har en osäkerhet på 0, vilket räknas som okänd; u_sensitivity, u_f0_hz och u_zeta måste anges, över 0.</translation>
+    </message>
+    <message>
+        <source>%1 cannot be reached; look whether the address is right and the network is there, or leave the time stamp out.</source>
+        <translation>%1 kan inte nås; se efter om adressen är rätt och nätet finns, eller utelämna tidsstämpeln.</translation>
+    </message>
+    <message>
+        <source>%1 did not answer within %2 s; try again later, or leave the time stamp out.</source>
+        <translation>%1 svarade inte inom %2 s; försök igen senare, eller utelämna tidsstämpeln.</translation>
+    </message>
+    <message>
+        <source>%1 answered with more than %2 bytes, which no time stamp has; look whether the address is that of a time-stamping authority (RFC 3161), or leave the time stamp out.</source>
+        <translation>%1 svarade med mer än %2 byte, vilket ingen tidsstämpel har; se efter om adressen är den till en tidsstämplingstjänst (RFC 3161), eller utelämna tidsstämpeln.</translation>
+    </message>
+    <message>
+        <source>The connection to %1 broke off before the answer was whole; try again, or leave the time stamp out.</source>
+        <translation>Förbindelsen med %1 bröts innan svaret var helt; försök igen, eller utelämna tidsstämpeln.</translation>
+    </message>
+    <message>
+        <source>%1 answered (%2), but not with a whole time stamp; look whether the address is that of a time-stamping authority (RFC 3161), or leave the time stamp out.</source>
+        <translation>%1 svarade (%2), men inte med en hel tidsstämpel; se efter om adressen är den till en tidsstämplingstjänst (RFC 3161), eller utelämna tidsstämpeln.</translation>
+    </message>
+    <message>
+        <source>The certificate of %1 is one of a server or of a time-stamping authority (extended key usage), and not for signatures of documents; take one that is.</source>
+        <translation>Certifikatet för %1 är ett för en server eller en tidsstämplingstjänst (utökad nyckelanvändning) och inte för signaturer på dokument; ta ett som är det.</translation>
     </message>
 </context>
 <context>

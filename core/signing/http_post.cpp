@@ -5,7 +5,9 @@
 
 #include "core/base/ascii_text.h"
 #include "core/base/file_descriptor.h"
+#include "core/base/number_text.h"
 
+#include <algorithm>
 #include <memory>
 #include <optional>
 #include <string_view>
@@ -67,14 +69,52 @@ tl::unexpected<Error> noAddress(const std::string &url)
             {url}});
 }
 
-tl::unexpected<Error> noAnswer(const std::string &url, Awaited end)
+tl::unexpected<Error> noConnection(const std::string &url)
 {
-    if (end == Awaited::Stopped)
-        return fail(ErrorKind::Cancelled, {DYNCAL_TEXT("core", "Stopped on request."), {}});
     return fail(ErrorKind::FileUnreadable,
         {DYNCAL_TEXT("core",
-             "%1 cannot be reached, or did not answer in time or with what was asked for; look whether the address is right and the network is there, or leave the time stamp out."),
+             "%1 cannot be reached; look whether the address is right and the network is there, or leave the time stamp out."),
             {url}});
+}
+
+/// `end`: of an exchange that did not come to its end.
+tl::unexpected<Error> noAnswer(const std::string &url, Awaited end, const AnswerLimits &limits)
+{
+    const double limit_s = std::chrono::duration<double>(limits.time).count();
+    if (end == Awaited::Stopped)
+        return fail(ErrorKind::Cancelled, {DYNCAL_TEXT("core", "Stopped on request."), {}});
+    if (end == Awaited::TooLate)
+        return fail(ErrorKind::FileUnreadable,
+            {DYNCAL_TEXT("core",
+                 "%1 did not answer within %2 s; try again later, or leave the time stamp out."),
+                {url, numberText(limit_s, 3)}});
+    if (end == Awaited::TooMuch)
+        return fail(ErrorKind::FileUnreadable,
+            {DYNCAL_TEXT("core",
+                 "%1 answered with more than %2 bytes, which no time stamp has; look whether the address is that of a time-stamping authority (RFC 3161), or leave the time stamp out."),
+                {url, std::to_string(limits.bytes)}});
+    return fail(ErrorKind::FileUnreadable,
+        {DYNCAL_TEXT("core",
+             "The connection to %1 broke off before the answer was whole; try again, or leave the time stamp out."),
+            {url}});
+}
+
+/// "HTTP 404"; "-" where an answer begins as none of HTTP. Nothing of the server's own words is
+/// repeated.
+std::string statusOf(const std::string &answer)
+{
+    const std::size_t blank = answer.find(' ');
+    const std::string code = blank == answer.npos ? std::string() : answer.substr(blank + 1, 3);
+    const bool isCode = code.size() == 3 && code.find_first_not_of("0123456789") == code.npos;
+    return isCode && answer.starts_with("HTTP/") ? "HTTP " + code : "-";
+}
+
+tl::unexpected<Error> otherAnswer(const std::string &url, const std::string &answer)
+{
+    return fail(ErrorKind::FileUnreadable,
+        {DYNCAL_TEXT("core",
+             "%1 answered (%2), but not with a whole time stamp; look whether the address is that of a time-stamping authority (RFC 3161), or leave the time stamp out."),
+            {url, statusOf(answer)}});
 }
 
 using Places = std::unique_ptr<addrinfo, decltype(&freeaddrinfo)>;
@@ -187,15 +227,17 @@ Result<std::string> postedTo(const std::string &url, const std::string &contentT
     const FileDescriptor socket = connectTo(*address, clock);
     if (!socket.valid()) {
         const Awaited standing = clock.standing();
-        return noAnswer(url, standing == Awaited::Whole ? Awaited::Broken : standing);
+        return standing == Awaited::Whole ? noConnection(url) : noAnswer(url, standing, limits);
     }
     std::string answer;
     Awaited end = sendAll(socket.get(), requestOf(*address, contentType, bytes), clock);
     if (end == Awaited::Whole)
         end = readToEnd(socket.get(), limits, clock, answer);
+    if (end != Awaited::Whole)
+        return noAnswer(url, end, limits);
     std::string body = bodyOf(answer);
-    if (end != Awaited::Whole || body.empty())
-        return noAnswer(url, end);
+    if (body.empty())
+        return otherAnswer(url, answer);
     return body;
 }
 

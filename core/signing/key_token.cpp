@@ -20,7 +20,7 @@
 namespace dyncal {
 namespace {
 
-constexpr std::string_view kScheme = "pkcs11:";
+constexpr std::string_view kTokenScheme = "pkcs11:";
 
 /// The engine, initialised; finished when the last copy is gone, with its sessions and its PIN.
 using Engine = std::shared_ptr<ENGINE>;
@@ -30,7 +30,7 @@ std::vector<std::string> attributesOf(const std::string &uri)
 {
     std::vector<std::string> parts;
     std::string part;
-    for (const char c : uri.substr(kScheme.size()) + ';') {
+    for (const char c : uri.substr(kTokenScheme.size()) + ';') {
         if (c != ';' && c != '?' && c != '&') {
             part += c;
         } else if (!part.empty()) {
@@ -73,7 +73,7 @@ std::string nameOf(std::string_view attribute)
 /// The same object as "private" or "cert", without what the engine need not know.
 std::string uriOfType(const std::vector<std::string> &attributes, const char *type)
 {
-    std::string uri(kScheme);
+    std::string uri(kTokenScheme);
     for (const std::string &one : attributes)
         if (!one.starts_with("type=") && !one.starts_with("module-path="))
             uri += one + ';';
@@ -150,7 +150,7 @@ tl::unexpected<Error> noTokenKey(const std::string &uri, const SecretBytes &pin)
 
 bool isTokenUri(const std::string &source)
 {
-    return lowerCase(source.substr(0, kScheme.size())) == kScheme;
+    return lowerCase(source.substr(0, kTokenScheme.size())) == kTokenScheme;
 }
 
 std::string shownSource(const std::string &source)

@@ -94,6 +94,11 @@ Result<void> checkFitToSign(X509 *certificate, const std::string &source)
             {DYNCAL_TEXT("core",
                  "The certificate of %1 is not for signatures: its key usage has neither digitalSignature nor nonRepudiation; take one that has."),
                 {subjectName(certificate)}});
+    if (isForOtherUse(certificate))
+        return fail(ErrorKind::Usage,
+            {DYNCAL_TEXT("core",
+                 "The certificate of %1 is one of a server or of a time-stamping authority (extended key usage), and not for signatures of documents; take one that is."),
+                {subjectName(certificate)}});
     return {};
 }
 

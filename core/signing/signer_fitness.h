@@ -24,8 +24,8 @@ std::string kindOfKey(const EVP_PKEY *key);
 /// which is trusted by itself (as level 2 of X509_VERIFY_PARAM_set_auth_level(3) has it).
 std::optional<Message> weaknessOf(const std::vector<openssl::Certificate> &chain);
 
-/// Fails (Usage) where the certificate's key is not strong, or its usage is not for signatures;
-/// `source`: where the key is.
+/// Fails (Usage) where the certificate's key is not strong, or its usage or its extended usage is
+/// not for signatures of documents; `source`: where the key is.
 Result<void> checkFitToSign(X509 *certificate, const std::string &source);
 
 /// Fails (Usage) where the certificate is not valid at this moment (ISO 8601, UTC).

@@ -53,19 +53,29 @@ private slots:
     void otherAnswers_areRefused_data()
     {
         QTest::addColumn<QByteArray>("bytes");
-        QTest::newRow("not found") << QByteArray("HTTP/1.0 404 Not Found\r\n\r\n200");
-        QTest::newRow("moved") << QByteArray("HTTP/1.0 301 Moved\r\nLocation: http://x/\r\n\r\nx");
-        QTest::newRow("no body") << QByteArray("HTTP/1.0 200 OK\r\n\r\n");
-        QTest::newRow("no head") << QByteArray("text");
-        QTest::newRow("nothing") << QByteArray();
-        QTest::newRow("too much") << QByteArray("HTTP/1.0 200 OK\r\n\r\n") + QByteArray(70000, 'x');
+        QTest::addColumn<QString>("words");
+        const auto row = [](const char *name, const QByteArray &bytes, const char *words) {
+            QTest::newRow(name) << bytes << words;
+        };
+        row("not found", "HTTP/1.0 404 Not Found\r\n\r\n200", "(HTTP 404)");
+        row("moved", "HTTP/1.0 301 Moved\r\nLocation: http://x/\r\n\r\nx", "(HTTP 301)");
+        row("no body", "HTTP/1.0 200 OK\r\n\r\n", "(HTTP 200), but not with a whole");
+        row("no head", "text", "answered (-)");
+        row("nothing", "", "answered (-)");
+        row("controls", "HTTP/1.0 500 \x1B[2J\r\n\r\n", "(HTTP 500)");
+        row("too much", "HTTP/1.0 200 OK\r\n\r\n" + QByteArray(70000, 'x'),
+            "more than 65536 bytes");
     }
     void otherAnswers_areRefused()
     {
         QFETCH(QByteArray, bytes);
+        QFETCH(QString, words);
         const AnsweringServer server(
             [&](const std::string &, const std::string &) { return bytes.toStdString(); });
-        QCOMPARE(failure(posted(server.url())), ErrorKind::FileUnreadable);
+        const auto answer = posted(server.url());
+        QCOMPARE(failure(answer), ErrorKind::FileUnreadable);
+        const QString said = QString::fromStdString(english(answer.error().message));
+        QVERIFY2(said.contains(words) && said.startsWith(server.url().c_str()), qPrintable(said));
     }
 
     void silence_ends()
@@ -76,7 +86,9 @@ private slots:
             3s);
         QElapsedTimer timer;
         timer.start();
-        QCOMPARE(failure(posted(server.url(), {.time = 300ms})), ErrorKind::FileUnreadable);
+        const auto late = posted(server.url(), {.time = 300ms});
+        QCOMPARE(failure(late), ErrorKind::FileUnreadable);
+        QVERIFY(english(late.error().message).find("within 0.3 s") != std::string::npos);
         QVERIFY(timer.elapsed() < 2000);
         std::stop_source stop;
         stop.request_stop();
@@ -91,7 +103,9 @@ private slots:
             const AnsweringServer gone([](const std::string &, const std::string &) { return ""; });
             url = gone.url();
         }
-        QCOMPARE(failure(posted(url)), ErrorKind::FileUnreadable);
+        const auto answer = posted(url);
+        QCOMPARE(failure(answer), ErrorKind::FileUnreadable);
+        QVERIFY(english(answer.error().message).find("cannot be reached") != std::string::npos);
         QCOMPARE(failure(posted("http://nothing.invalid/")), ErrorKind::FileUnreadable);
     }
 

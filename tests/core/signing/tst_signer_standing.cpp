@@ -26,6 +26,20 @@ private:
     {
         return *SigningKey::open(m_keys.file(file), {});
     }
+    /// A CMS over "content" by a service of the test's own, which signs with any key; "" if it
+    /// failed.
+    std::string sealedBy(const QString &name) const
+    {
+        m_keys.write("hash", sha256Hex(std::string_view("content")) + "\n");
+        m_keys.write("service.sh", "python3 \"$1\" \"$2\" \"$3\" < \"$4\" > \"$5\"\n");
+        const QString service
+            = qEnvironmentVariable("DYNCAL_SOURCE_DIR") + "/tests/support/seal_service.py";
+        const bool ran = answerOf("sh",
+            {m_keys.path("service.sh"), service, m_keys.path(name + ".key"),
+                m_keys.path(name + ".pem"), m_keys.path("hash"), m_keys.path("made.cms")})
+                             .ran;
+        return ran ? m_keys.content("made.cms") : std::string();
+    }
     static SignatureCheck cmsCheck(
         const SigningKey &key, const std::string &anchors, const std::string &now = MadeKeys::kNow)
     {
@@ -112,7 +126,7 @@ private slots:
             Status::Valid);
     }
 
-    /// By a service of the test's own: such keys do not open.
+    /// By a service: such keys do not open.
     void weakCertificates_areOfNobody_data()
     {
         QTest::addColumn<QString>("name");
@@ -128,17 +142,8 @@ private slots:
     {
         QFETCH(QString, name);
         QFETCH(QString, words);
-        const std::string hash = sha256Hex(std::string_view("content"));
-        m_keys.write("hash", hash + "\n");
-        m_keys.write("service.sh", "python3 \"$1\" \"$2\" \"$3\" < \"$4\" > \"$5\"\n");
-        const QString service
-            = qEnvironmentVariable("DYNCAL_SOURCE_DIR") + "/tests/support/seal_service.py";
-        QVERIFY(answerOf("sh",
-            {m_keys.path("service.sh"), service, m_keys.path(name + ".key"),
-                m_keys.path(name + ".pem"), m_keys.path("hash"), m_keys.path("made.cms")})
-                    .ran);
-        const std::string cms = m_keys.content("made.cms");
-        QVERIFY(!faultOfCms(cms, hash));
+        const std::string cms = sealedBy(name);
+        QVERIFY(!faultOfCms(cms, sha256Hex(std::string_view("content"))));
         for (const std::string &anchors : {m_keys.content("root.pem"), std::string()}) {
             const SignatureCheck found
                 = checkCms(cms, {"content"}, MadeKeys::kNow, {anchors, MadeKeys::kNow});
@@ -151,15 +156,22 @@ private slots:
         QCOMPARE(fit.has_value(), name != "short");
     }
 
-    void certificateForOtherUse_isRemarked()
+    /// Signed by a service: such a key opens only where documents are among its uses.
+    void certificateForOtherUse_isRemarked_andSignsNothing()
     {
-        const std::string root = m_keys.content("root.pem");
-        for (const char *name : {"server", "stamps", "mail"}) {
-            const SignatureCheck found = cmsCheck(key(std::string(name) + ".all.pem"), root);
+        const TrustSettings trust{m_keys.content("root.pem"), MadeKeys::kNow};
+        for (const std::string name : {"server", "stamps", "mail"}) {
+            const std::string cms = sealedBy(QString::fromStdString(name));
+            const SignatureCheck found = checkCms(cms, {"content"}, MadeKeys::kNow, trust);
             QCOMPARE(found.status, Status::Valid);
-            QCOMPARE(found.remarks.empty(), name == std::string("mail"));
+            QCOMPARE(found.remarks.empty(), name == "mail");
             QVERIFY(found.remarks.empty()
                 || english(found.remarks[0]).find("(extended key usage)") != std::string::npos);
+            const auto opened = SigningKey::open(m_keys.file(name + ".all.pem"), {});
+            QCOMPARE(opened.has_value(), name == "mail");
+            QVERIFY(opened
+                || english(opened.error().message).find("one of a server") != std::string::npos);
+            QCOMPARE(checkSignerOfCms(cms, "seal", MadeKeys::kNow).has_value(), name == "mail");
         }
     }
 
