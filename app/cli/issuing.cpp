@@ -16,6 +16,7 @@
 #include "core/history/history_section.h"
 #include "core/reference/reference_source.h"
 #include "core/results/results_json.h"
+#include "registry/issued/bound_files.h"
 #include "registry/issued/file_signatures.h"
 #include "registry/issued/folder_check.h"
 #include "registry/issued/issued_files.h"
@@ -115,6 +116,24 @@ Result<Files> withSignedPdf(Files files, const IssueOrder &order)
     return files;
 }
 
+std::map<std::string, std::string> hashesOf(const Files &files)
+{
+    std::map<std::string, std::string> hashes;
+    for (const auto &[name, bytes] : files)
+        hashes[name] = sha256Hex(std::string_view(bytes));
+    return hashes;
+}
+
+CertificateIssue issueOf(
+    const IssueOrder &order, const CertificateRecord &record, const std::string &results)
+{
+    CertificateIssue issue{std::to_string(record.number), certificateNumber(record.amends),
+        record.reason, record.head, sha256Hex(std::string_view(results))};
+    if (order.signing.isSigned())
+        issue.signer = CertificateSigner{signerOf(order.signing), order.names.utc};
+    return issue;
+}
+
 Result<Files> filesOf(const ProjectState &job, const PipelineOutcome &outcome,
     const ChosenTemplate &chosen, const IssueOrder &order, const CertificateRecord &record)
 {
@@ -133,15 +152,15 @@ Result<Files> filesOf(const ProjectState &job, const PipelineOutcome &outcome,
     Result<StatedHistory> history = historyFor(chosen, order, record, files);
     if (!history)
         return tl::unexpected<Error>(history.error());
-    CertificateIssue issue{number, certificateNumber(record.amends), record.reason, record.head,
-        sha256Hex(std::string_view(files["results.json"])), order.signing.isSigned(), {},
-        std::move(history->section), {signerOf(order.signing), order.names.utc}};
+    CertificateIssue issue = issueOf(order, record, files["results.json"]);
+    issue.history = std::move(history->section);
     if (outcome.results.response)
         files[kDccFile] = certificateDcc(
             certificateOf(outcome.results, recipe, record.reservedUtc, chosen, issue),
             outcome.results, recipe, issue);
     if (const Result<void> dcc = signDcc(order, files); !dcc)
         return tl::unexpected<Error>(dcc.error());
+    issue.filesSha256 = boundFilesHash(hashesOf(files));
     issue.attachments = certificateAttachments(files);
     Result<std::vector<DrawnFile>> drawn = drawWithoutWindow(
         outcome.results, recipe, record.reservedUtc, chosen, issue, history->figures);

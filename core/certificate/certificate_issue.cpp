@@ -19,9 +19,9 @@ CertificateField replacedField(const CertificateIssue &issue)
 
 Message stateOf(const CertificateIssue &issue)
 {
-    if (issue.isSigned && issue.amends.empty())
+    if (issue.signer && issue.amends.empty())
         return {DYNCAL_TEXT("core", "issued, with an electronic signature in this file"), {}};
-    if (issue.isSigned)
+    if (issue.signer)
         return {DYNCAL_TEXT(
                     "core", "issued as an amendment, with an electronic signature in this file"),
             {}};
@@ -75,9 +75,9 @@ void markIssued(const CertificateIssue &issue, CertificateData &data)
     data.draft = false;
     data.number = issue.number;
     data.marks = {{"number", issue.number}, {"amends", issue.amends}, {"head", issue.head},
-        {"results", issue.resultsSha256}};
+        {"results", issue.resultsSha256}, {"files", issue.filesSha256}};
     data.attachments = issue.attachments;
-    if (issue.isSigned)
+    if (issue.signer)
         data.marks.emplace_back(kSignedMark, "true");
     if (!issue.amends.empty() && !data.sections.empty())
         data.sections.front().fields.push_back(replacedField(issue));
@@ -85,7 +85,7 @@ void markIssued(const CertificateIssue &issue, CertificateData &data)
     if (issue.history)
         replaceSection(*issue.history, data);
     replaceSection(
-        issue.isSigned ? signatureSection(issue.signer, issue.number) : withoutSignature(), data);
+        issue.signer ? signatureSection(*issue.signer, issue.number) : withoutSignature(), data);
     const auto records = std::ranges::find(data.sections, "records", &CertificateSection::id);
     data.sections.insert(records, issueSection(issue));
 }

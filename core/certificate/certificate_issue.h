@@ -20,11 +20,11 @@ struct CertificateIssue
     std::string reason = {}; ///< of the amendment: what changed
     std::string head = {}; ///< SHA-256 of the last entry of the audit trail before issuing
     std::string resultsSha256 = {}; ///< of results.json beside it
-    bool isSigned = false; ///< the file will be, when it is whole
+    std::string filesSha256 = {}; ///< of all files beside it (boundFilesHash); only in the metadata
     std::vector<CertificateAttachment> attachments = {}; ///< inside its PDF
     /// For that of the template (certificate_history.h), where it has one.
     std::optional<CertificateSection> history = {};
-    CertificateSigner signer = {}; ///< where isSigned
+    std::optional<CertificateSigner> signer = {}; ///< of the file when it is whole; empty: unsigned
 };
 
 /// Mark of a certificate whose file is signed when it is whole.

@@ -6,6 +6,7 @@
 #include "core/base/content_hash.h"
 #include "core/base/writing/written_list.h"
 #include "registry/issued/archive_check.h"
+#include "registry/issued/bound_files.h"
 #include "registry/store/trail_table.h"
 #include "registry/trail/audit_file.h"
 
@@ -211,6 +212,10 @@ Difference checkPdf(const Contents &contents)
         return doesNotFit(kIssuedPdf, kAuditFile, "the audit trail");
     if (markIn(pdf, "results") != manifest.files.at("results.json"))
         return doesNotFit(kIssuedPdf, "results.json", "the results");
+    // Certificates of earlier versions do not state it.
+    if (const std::string bound = markIn(pdf, "files");
+        !bound.empty() && bound != boundFilesHash(manifest.files))
+        return doesNotFit(kIssuedPdf, kManifest, "the files");
     return checkPdfArchive(pdf, contents.files);
 }
 

@@ -5,6 +5,7 @@
 
 #include "core/base/content_hash.h"
 #include "core/base/json_text.h"
+#include "registry/issued/bound_files.h"
 #include "registry/issued/issued_files.h"
 
 #include <map>
@@ -29,9 +30,12 @@ inline std::map<std::string, std::string> madeCertificate(const CertificateRecor
     const auto mark = [](const char *name, const std::string &value) {
         return std::string("<dyncal:").append(name) + '>' + value + "</dyncal:" + name + ">\n";
     };
+    std::map<std::string, std::string> hashes;
+    for (const auto &[name, bytes] : files)
+        hashes[name] = sha256Hex(std::string_view(bytes));
     files["certificate.pdf"] = "%PDF " + std::string(20000, 'x') + mark("number", number)
-        + mark("head", record.head)
-        + mark("results", sha256Hex(std::string_view(files["results.json"])));
+        + mark("head", record.head) + mark("results", hashes["results.json"])
+        + mark("files", boundFilesHash(hashes));
     return files;
 }
 

@@ -19,8 +19,9 @@ CertificateData issued(bool isSigned, const CertificateSigner &signer, bool hasS
     ChosenTemplate chosen;
     if (hasSection)
         chosen.layout.sections.emplace_back(kSignatureSection);
-    CertificateIssue issue{"17", {}, {}, "headhash", "resultshash", isSigned};
-    issue.signer = signer;
+    CertificateIssue issue{"17", {}, {}, "headhash", "resultshash"};
+    if (isSigned)
+        issue.signer = signer;
     return certificateOf(example::calibration(), recipe, "2026-11-21T12:00:00Z", chosen, issue);
 }
 

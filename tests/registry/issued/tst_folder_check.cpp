@@ -3,6 +3,7 @@
 
 #include "registry/issued/folder_check.h"
 
+#include "registry/issued/bound_files.h"
 #include "tests/support/made_certificate.h"
 #include "tests/support/made_registry.h"
 #include "tests/support/test_program.h"
@@ -174,6 +175,10 @@ private slots:
                                             << "dyncal-results/1"
                                             << "dyncal-results/2"
                                             << "the results";
+        QTest::newRow("what only the project says") << "project.dyncal"
+                                                    << "dyncal-project"
+                                                    << "dyncal-notions"
+                                                    << "the files";
         QTest::newRow("trail") << "audit.jsonl"
                                << "A. Berg"
                                << "B. Berg"
@@ -191,6 +196,23 @@ private slots:
         const std::string fault = lab.fault(false);
         QVERIFY2(holds(fault, said.toStdString()), fault.c_str());
         QVERIFY(!lab.fault().empty());
+    }
+
+    /// The hash that the PDF states is that of a list anybody can make with sha256sum.
+    void statedFiles_areAllButThePdfAndWhatFollowsIt()
+    {
+        const std::map<std::string, std::string> hashes{{"recipe.json", "b"},
+            {"project.dyncal", "a"}, {"sources/x.csv", "c"}, {"certificate.pdf", "d"},
+            {"audit.jsonl", "e"}, {"manifest.json", "f"}, {"written.json", "g"}};
+        QCOMPARE(boundFilesHash(hashes),
+            sha256Hex(std::string_view("project.dyncal a\nrecipe.json b\nsources/x.csv c\n")));
+    }
+
+    void pdfThatStatesNoFiles_isOfAnEarlierVersion()
+    {
+        Laboratory lab;
+        lab.forge("certificate.pdf", "<dyncal:files>", "<dyncal:trials>");
+        QCOMPARE(lab.fault(false), std::string());
     }
 
     /// A forgery that fits itself in all is found by the registry alone.

@@ -37,7 +37,7 @@ std::string pdfOf(
     recipe.certificate.languages = languages;
     std::optional<CertificateIssue> issue;
     if (isIssued)
-        issue = CertificateIssue{"17", {}, {}, "abc", "def", false, certificateAttachments(kFiles)};
+        issue = CertificateIssue{"17", {}, {}, "abc", "def", "123", certificateAttachments(kFiles)};
     ReportDrawing drawing(
         example::calibration(), recipe, kCreated, ReportParts::Certificate, chosen, issue);
     drawing.draw(std::chrono::hours(24));
@@ -115,8 +115,8 @@ private slots:
             files->back().description.c_str());
         const auto xmp = readXmp(readPdfStructure(issued())->xmp);
         QVERIFY((xmp->marks
-            == std::vector<std::pair<std::string, std::string>>{
-                {"number", "17"}, {"amends", ""}, {"head", "abc"}, {"results", "def"}}));
+            == std::vector<std::pair<std::string, std::string>>{{"number", "17"}, {"amends", ""},
+                {"head", "abc"}, {"results", "def"}, {"files", "123"}}));
     }
 
     void title_author_andContents_areThoseOfThePages()
