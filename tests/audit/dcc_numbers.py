@@ -178,17 +178,23 @@ def check_response(response, root, ref_type, errors):
         return 0
     columns = {"frequency_hz": numbers(of_type(lists[0], "dyncal_frequency")[0], "valueXMLList")[0]}
     for name, key in (("dyncal_magnitude", "magnitude"), ("dyncal_phase", "phase_rad")):
+        if not of_type(lists[0], name):
+            errors += [f"{key} is in results.json, not in the DCC"] * any(one is not None for one in response[key])
+            continue
         quantity = of_type(lists[0], name)[0]
         columns[key] = numbers(quantity, "valueXMLList")[0]
         columns["u_" + key] = (numbers(quantity, "valueStandardMUXMLList") or [[math.nan] * len(columns[key])])[0]
-    real, imaginary = (numbers(lists[0], name)[0] for name in ("valueRealXMLList", "valueImagXMLList"))
-    variances = numbers(lists[0].find(f".//{SI}covarianceMatrixXMLList"), "valueXMLList")
+    parts = [numbers(lists[0], name) for name in ("valueRealXMLList", "valueImagXMLList")]
+    is_complex = all(parts)
+    if is_complex:
+        (real,), (imaginary,) = parts
+        variances = numbers(lists[0].find(f".//{SI}covarianceMatrixXMLList"), "valueXMLList")
     for i, frequency in enumerate(response["frequency_hz"]):
         for key, column in columns.items():
             if not same(response[key][i], column[i]):
                 errors.append(f"results.json {key} at {frequency}: {response[key][i]}, DCC {column[i]}")
         magnitude, u = response["magnitude"][i], response["u_magnitude"][i]
-        if magnitude is None:
+        if magnitude is None or not is_complex:
             continue
         if not same(magnitude, math.hypot(real[i], imaginary[i])):
             errors.append(f"complex value at {frequency}: {real[i]}, {imaginary[i]}")
