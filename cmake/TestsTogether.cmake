@@ -10,22 +10,23 @@ set(DYNCAL_TESTS_MOST 8 CACHE STRING "Tests in a piece at most")
 set(DYNCAL_TESTS_ALONE
     "^namespace (dyncal|QTest|std)|^Q_DECLARE_METATYPE|^extern|^template <>|^ *#define")
 
-# dyncal_pieces_of_tests(pieces program source...): sets `pieces` to the sources of the program.
-# Qt's moc reads those in a piece, too, so they stay in the list, marked as not to be compiled.
+# dyncal_pieces_of_tests(pieces program source...): sets `pieces` to what the program is compiled of.
 function(dyncal_pieces_of_tests pieces program)
     set(together "")
+    set(compiled "")
     foreach(source IN LISTS ARGN)
         file(STRINGS "${source}" alone LIMIT_COUNT 1 REGEX "${DYNCAL_TESTS_ALONE}")
         if(DYNCAL_UNITY AND NOT alone)
-            set_source_files_properties("${source}" PROPERTIES HEADER_FILE_ONLY ON)
             list(APPEND together "${source}")
+        else()
+            list(APPEND compiled "${source}")
         endif()
     endforeach()
     set(made "")
     if(together)
         dyncal_test_pieces(made ${program} ${together})
     endif()
-    set(${pieces} ${ARGN} ${made} PARENT_SCOPE)
+    set(${pieces} ${compiled} ${made} PARENT_SCOPE)
 endfunction()
 
 # Sets `made` to the pieces of these sources, which one command writes.
@@ -44,7 +45,7 @@ function(dyncal_test_pieces made program)
             "-DROOT=${PROJECT_SOURCE_DIR}" -P "${script}")
     # This warning is raised for every class with a member of a file's own type, unless the file is
     # compiled alone.
-    set_source_files_properties(${list} PROPERTIES SKIP_AUTOMOC ON
+    set_source_files_properties(${list} PROPERTIES
         COMPILE_OPTIONS "$<$<CXX_COMPILER_ID:GNU>:-Wno-subobject-linkage>")
     set(${made} ${list} PARENT_SCOPE)
 endfunction()

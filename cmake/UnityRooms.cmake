@@ -5,14 +5,13 @@
 # once: a first build takes far less time. Off in the preset dev, where one changed source should be
 # compiled alone, and where a missing include is noticed.
 option(DYNCAL_UNITY "Compile the sources of a room together" OFF)
-set(DYNCAL_UNITY_MOST 6 CACHE STRING "Sources in a piece at most")
+set(DYNCAL_UNITY_MOST 24 CACHE STRING "Sources in a piece at most")
 
-# dyncal_unite_rooms(target layer [APART room...] [ALONE source...]): the sources of the rooms after
-# APART have constants of the same name and stay alone, as do those after ALONE, which take longest.
-# Small pieces keep the build after a change quick; the preset odr, always built as a whole, has
-# larger ones.
+# dyncal_unite_rooms(target layer [ALONE source...]): a room is one piece as far as it has no more than
+# DYNCAL_UNITY_MOST sources, which takes half the compile time of pieces of six; those after ALONE, which
+# take longest, are compiled beside them.
 function(dyncal_unite_rooms target layer)
-    cmake_parse_arguments(PARSE_ARGV 2 arg "" "" "APART;ALONE")
+    cmake_parse_arguments(PARSE_ARGV 2 arg "" "" "ALONE")
     if(NOT DYNCAL_UNITY)
         return()
     endif()
@@ -26,7 +25,7 @@ function(dyncal_unite_rooms target layer)
         string(REGEX MATCH "/${layer}/([a-z0-9_/]+)/[^/]*$" in_room "${source}")
         set(room "${CMAKE_MATCH_1}")
         get_filename_component(name "${source}" NAME)
-        if(NOT in_room OR room IN_LIST arg_APART OR name IN_LIST arg_ALONE)
+        if(NOT in_room OR name IN_LIST arg_ALONE)
             continue()
         endif()
         string(MAKE_C_IDENTIFIER "${room}" group)

@@ -11,8 +11,8 @@
 namespace dyncal {
 namespace {
 
-constexpr Index kBlocks = 4096; ///< a record is first looked at in about this many blocks
-constexpr Index kLeastBlock = 16;
+constexpr Index kSearchBlocks = 4096; ///< a record is first looked at in about this many blocks
+constexpr Index kLeastSearchBlock = 16;
 constexpr Index kSideBlocks = 4; ///< blocks on either side that a level change is averaged over
 constexpr double kFirstShare = 0.25; ///< of the largest: the first change this large is the event,
                                      ///< as a side wall sees the incident and the reflected shock
@@ -62,7 +62,7 @@ double largestDistance(const Eigen::Ref<const Eigen::VectorXd> &values, double l
 Result<BlockScan> scanBlocks(const Channel &channel, const JobControl &control)
 {
     const Index size = channel.samples.size();
-    const Index block = std::max(size / kBlocks, kLeastBlock);
+    const Index block = std::max(size / kSearchBlocks, kLeastSearchBlock);
     const Index blocks = size / block;
     BlockScan scan{block, Eigen::VectorXd::Zero(blocks), Eigen::VectorXd::Zero(blocks), false};
     for (Index b = 0; b < blocks; ++b) {

@@ -15,7 +15,7 @@
 namespace dyncal {
 namespace {
 
-constexpr Index kLeastSamples = 8;
+constexpr Index kLeastSegment = 8;
 
 /// Periodic Hann, or ones.
 Eigen::ArrayXd taperOf(Taper taper, Index length)
@@ -48,7 +48,7 @@ SpectrumSegments segmentsOf(Index size, const SpectrumSettings &settings)
     if (settings.method == SpectrumMethod::Periodogram)
         return {size, size, 1};
     const Index wanted = settings.segment.value_or(size / 8);
-    const Index length = std::clamp(wanted, kLeastSamples, size);
+    const Index length = std::clamp(wanted, kLeastSegment, size);
     const Index hop = std::max<Index>(length / 2, 1);
     return {length, hop, (size - length) / hop + 1};
 }
@@ -63,11 +63,11 @@ Result<PowerSpectrum> computePowerSpectrum(const Eigen::Ref<const Eigen::VectorX
     double rate_Hz, const SpectrumSettings &settings)
 {
     const bool isRate = rate_Hz > 0.0 && std::isfinite(rate_Hz);
-    if (values.size() < kLeastSamples || !values.allFinite() || !isRate)
+    if (values.size() < kLeastSegment || !values.allFinite() || !isRate)
         return fail(ErrorKind::DataBlocked,
             {DYNCAL_TEXT("core",
                  "A power spectrum needs at least %1 valid samples at a known rate; there are %2 samples at %3."),
-                {std::to_string(kLeastSamples), std::to_string(values.size()),
+                {std::to_string(kLeastSegment), std::to_string(values.size()),
                     numberWithUnit(rate_Hz, "Hz")}});
     const SpectrumSegments segments = segmentsOf(values.size(), settings);
     const Eigen::ArrayXd taper = taperOf(settings.taper, segments.length);

@@ -4,6 +4,7 @@
 #include "core/base/writing/folder_contents.h"
 
 #include "core/base/content_hash.h"
+#include "core/base/writing/file_modes.h"
 #include "core/base/writing/write_problem.h"
 
 #include <algorithm>
@@ -23,8 +24,6 @@ namespace fs = std::filesystem;
 using FileNumber = std::pair<dev_t, ino_t>;
 
 constexpr int kOpened = O_RDONLY | O_DIRECTORY | O_NOFOLLOW | O_CLOEXEC;
-constexpr mode_t kPermissions = 07777;
-constexpr std::size_t kLongestList = 16U << 20U;
 
 std::string pathIn(const FolderPlace &place, const std::string &name)
 {

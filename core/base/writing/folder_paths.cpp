@@ -4,6 +4,7 @@
 #include "core/base/writing/folder_paths.h"
 
 #include "core/base/writing/file_identity.h"
+#include "core/base/writing/file_modes.h"
 
 #include <cerrno>
 #include <set>
@@ -13,8 +14,6 @@
 
 namespace dyncal {
 namespace {
-
-constexpr mode_t kFolderMode = 0777; // less the process's umask
 
 } // namespace
 

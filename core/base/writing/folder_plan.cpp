@@ -20,7 +20,7 @@ namespace {
 using Json = nlohmann::json;
 
 constexpr std::size_t kLongestPlan = 32U << 20U;
-constexpr mode_t kPrivate = 0600;
+constexpr mode_t kPrivateFile = 0600;
 
 } // namespace
 
@@ -30,7 +30,7 @@ bool writePlan(int staging, const std::string &name, const FolderPlan &plan)
         {"retired", writtenListText(plan.retired)}, {"placed", writtenListText(plan.placed)}});
     const std::string part = name + ".part";
     FileDescriptor file(::openat(
-        staging, part.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC, kPrivate));
+        staging, part.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC, kPrivateFile));
     if (!file.valid())
         return false;
     const ssize_t written = ::write(file.get(), text.data(), text.size());

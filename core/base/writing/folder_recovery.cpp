@@ -21,15 +21,14 @@
 namespace dyncal {
 namespace {
 
-constexpr int kMostNames = 1000;
-constexpr std::size_t kLongestList = 16U << 20U;
+constexpr int kMostRecovered = 1000;
 
 /// Moves a file of somebody else, or one changed since, into the new folder, under another name if
 /// its own is taken.
 bool rescue(int from, const std::string &name, int to)
 {
     bool moved = renameToFree(from, name, to, name);
-    for (int i = 1; !moved && errno == EEXIST && i < kMostNames; ++i)
+    for (int i = 1; !moved && errno == EEXIST && i < kMostRecovered; ++i)
         moved = renameToFree(from, name, to, name + ".kept-" + std::to_string(i));
     return moved;
 }

@@ -4,6 +4,7 @@
 #include "core/base/writing/folder_write.h"
 
 #include "core/base/content_hash.h"
+#include "core/base/writing/file_modes.h"
 #include "core/base/writing/folder_moves.h"
 #include "core/base/writing/folder_paths.h"
 #include "core/base/writing/folder_plan.h"
@@ -26,10 +27,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr mode_t kPrivate = 0700;
-constexpr mode_t kFolderMode = 0777; // less the process's umask
+constexpr mode_t kPrivateFolder = 0700;
 constexpr mode_t kFileMode = 0666;
-constexpr mode_t kPermissions = 07777;
 
 /// `mode`: the permissions to keep, if it replaces a file.
 bool writeFile(int folder, const FolderFile &file, std::optional<mode_t> mode)
@@ -210,7 +209,7 @@ Result<void> FolderWrite::stage(
     const std::vector<FolderFile> &files, const FolderContents &before, const JobControl &control)
 {
     const int place = m_claim->folder();
-    if (::mkdirat(place, m_claim->temporary().c_str(), kPrivate) != 0)
+    if (::mkdirat(place, m_claim->temporary().c_str(), kPrivateFolder) != 0)
         return cannotWrite(m_place.shown);
     m_staging = FileDescriptor(openFolderAt(place, m_claim->temporary()));
     if (!m_staging.valid() || ::mkdirat(m_staging.get(), kStagedTree, kFolderMode) != 0)

@@ -4,6 +4,7 @@
 #include "core/base/writing/pending_file.h"
 
 #include "core/base/writing/file_identity.h"
+#include "core/base/writing/file_modes.h"
 #include "core/base/writing/write_problem.h"
 
 #include <algorithm>
@@ -20,7 +21,6 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr mode_t kNewFileMode = 0666; // less the process's umask
-constexpr mode_t kPermissions = 07777;
 
 tl::unexpected<Error> isNoFile(const std::string &path)
 {

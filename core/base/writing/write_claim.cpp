@@ -23,7 +23,7 @@ namespace {
 /// Making a claim and clearing leftovers takes milliseconds; a longer lock is not Dyncal's.
 constexpr std::chrono::seconds kLongestWait{10};
 constexpr std::chrono::milliseconds kLook{1};
-constexpr int kMostNames = 100;
+constexpr int kMostClaims = 100;
 
 bool lockWithin(int folder, std::chrono::steady_clock::time_point end)
 {
@@ -56,7 +56,7 @@ bool isFree(int folder, const std::string &name)
 FileDescriptor createUnderFreeName(int folder, ClaimText &text)
 {
     FileDescriptor file;
-    for (int i = 0; i < kMostNames && !file.valid(); ++i) {
+    for (int i = 0; i < kMostClaims && !file.valid(); ++i) {
         text.temporary = newTemporaryName();
         if (!isFree(folder, text.temporary)) {
             errno = EEXIST;

@@ -3,6 +3,7 @@
 
 #pragma once
 
+#include <cstddef>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -12,6 +13,7 @@ namespace dyncal {
 
 /// Name of the list in the folder that it describes.
 inline constexpr const char *kWrittenList = "written.json";
+inline constexpr std::size_t kLongestList = 16U << 20U; ///< bytes of it that are read
 
 /// One file that a program wrote into a folder.
 struct WrittenFile

@@ -5,6 +5,7 @@
 
 #include "core/model_analysis/model_curves.h"
 #include "ui/plot/curves/curve_building.h"
+#include "ui/plot/curves/model_curves.h"
 
 #include <array>
 #include <cmath>
@@ -13,8 +14,6 @@
 namespace dyncal {
 
 namespace {
-
-constexpr double kFarthestShown = 2.0; ///< as in poleZeroCurves
 
 QString nameOf(const OverlaidModel &candidate)
 {

@@ -13,7 +13,7 @@ namespace dyncal {
 
 namespace {
 
-constexpr double kMargin = 0.08; // of the range, at each end
+constexpr double kEndMargin = 0.08; // of the range, at each end
 constexpr double kLeastSpan_years = 0.1;
 
 BarPoints pointsOf(const std::vector<DatedValue> &values, bool beyond)
@@ -38,7 +38,7 @@ void addLimits(const ControlLimits &limits, PlotContent &content)
 Interval widened(double least, double most, double leastSpan)
 {
     const double span = std::max(most - least, leastSpan);
-    const double middle = 0.5 * (least + most), half = (0.5 + kMargin) * span;
+    const double middle = 0.5 * (least + most), half = (0.5 + kEndMargin) * span;
     return {middle - half, middle + half};
 }
 

@@ -17,7 +17,6 @@ namespace {
 
 constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 constexpr double kClipShare = 0.5; ///< of the measured range, to either side
-constexpr double kFarthestShown = 2.0; ///< poles and zeros further out are only counted
 
 /// Limits a curve that diverges to values near the data.
 void clipTo(const Eigen::VectorXd &measured, std::vector<double> &values)

@@ -11,6 +11,8 @@
 
 namespace dyncal {
 
+inline constexpr double kFarthestShown = 2.0; ///< |z|; poles and zeros further out are only counted
+
 /// Data against model. `series` (a position) shows that one alone. Where the model diverges the
 /// title says so and its curve ends at the measured range +-50 %.
 PlotContent simulationCurves(const ModelInput &input, const SensorModel &model,

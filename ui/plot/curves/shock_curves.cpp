@@ -15,12 +15,12 @@ namespace dyncal {
 
 namespace {
 
-constexpr double kMargin = 0.06; ///< of the tube's length, beside it
+constexpr double kTubeMargin = 0.06; ///< of the tube's length, beside it
 constexpr int kStrokes = 12; ///< of the hatched plateau
 constexpr int kPointsPerWay = 600; ///< few points are drawn as samples, with dots; these are none
 constexpr int kLabelledModes = 6; ///< across the tube; the next ones lie too close for labels
-constexpr double kRiseTimesShown = 60.0;
-constexpr double kLeastSamplesShown = 400.0;
+constexpr double kArrivalRisesShown = 60.0;
+constexpr double kLeastArrivalSamples = 400.0;
 
 struct LineLook
 {
@@ -86,7 +86,7 @@ void addPath(const TubePath &path, double burst_s, PlotContent &content)
 void addPlateau(const TubeDiagram &diagram, PlotContent &content)
 {
     const double wall_m = diagram.waves.geometry.drivenLength_m;
-    const double width_m = 0.6 * kMargin * wall_m;
+    const double width_m = 0.6 * kTubeMargin * wall_m;
     const Interval plateau = diagram.plateau_s;
     PlotCurve look{Plots::tr("plateau"), CurveRole::Suggestion, CurveStyle::Line, {}, {}, true};
     addWay(content, look, {{wall_m, plateau.begin}, {wall_m, plateau.end}});
@@ -162,7 +162,7 @@ void setView(const Channel &channel, const SideArrival *arrival, const TubeSenso
 {
     if (arrival != nullptr) {
         const double half_s = std::max(
-            kRiseTimesShown * arrival->rise_s, kLeastSamplesShown / channel.sampleRate_Hz);
+            kArrivalRisesShown * arrival->rise_s, kLeastArrivalSamples / channel.sampleRate_Hz);
         content.xMin = arrival->time_s - half_s;
         content.xMax = arrival->time_s + half_s;
         const double step = arrival->behind - arrival->before;
@@ -226,9 +226,9 @@ PlotContent tubeDiagramCurves(const ShockConditions &shot)
     addSensors(diagram, content);
     content.marks.push_back({0.0, Plots::tr("diaphragm"), CurveRole::Reference});
     const double length_m = diagram.waves.geometry.drivenLength_m;
-    content.xMin = -(1.0 + kMargin) * diagram.waves.geometry.driverLength_m.value_or(0.0)
-        - kMargin * length_m;
-    content.xMax = (1.0 + kMargin) * length_m;
+    content.xMin = -(1.0 + kTubeMargin) * diagram.waves.geometry.driverLength_m.value_or(0.0)
+        - kTubeMargin * length_m;
+    content.xMax = (1.0 + kTubeMargin) * length_m;
     const double last_s = std::max(diagram.plateau_s.end,
         diagram.burst_s + diagram.waves.shockAtWall_s + diagram.waves.plateau_s);
     content.yMin = diagram.burst_s;

@@ -16,7 +16,7 @@ namespace dyncal {
 
 namespace {
 
-constexpr double kRiseTimesShown = 20.0;
+constexpr double kResponseRisesShown = 20.0;
 constexpr double kSettlingTimesShown = 1.5;
 constexpr double kShareShown = 0.05; ///< of the window, where no rise time is known
 constexpr Index kLeastSamplesShown = 50;
@@ -116,7 +116,7 @@ Index samplesOfStart(const WindowedResponse &response)
     const double fallback_s
         = kShareShown * static_cast<double>(response.length) / response.sampleRate_Hz;
     const double shown_s
-        = response.riseTime_s ? kRiseTimesShown * *response.riseTime_s : fallback_s;
+        = response.riseTime_s ? kResponseRisesShown * *response.riseTime_s : fallback_s;
     const auto samples = static_cast<Index>(std::min(shown_s * response.sampleRate_Hz, 1e9));
     return std::clamp(samples, std::min(kLeastSamplesShown, response.length), response.length);
 }

@@ -16,7 +16,7 @@ namespace dyncal {
 
 namespace {
 
-constexpr int kDigits = 6;
+constexpr int kReadingDigits = 6;
 /// Up to this many samples are examined one by one; of more, only the extremes of pixel columns.
 constexpr Index kMostCandidates = 20000;
 
@@ -60,7 +60,7 @@ bool hasOneValue(const PlotContent &content, const PlotCurve &curve)
 
 QString valueText(double value, const PlotAxis &axis)
 {
-    return valueWithUnit(value, axis.unit, kDigits);
+    return valueWithUnit(value, axis.unit, kReadingDigits);
 }
 
 } // namespace
@@ -230,7 +230,8 @@ QString PlotCursors::readout(const PlotContent &content) const
         lines += QStringLiteral("Δx: %1").arg(valueText(dx, content.xAxis));
         if (content.xAxis.unit == QLatin1String("s") && dx != 0.0)
             lines += QStringLiteral("1/Δx: %1")
-                         .arg(valueWithUnit(1.0 / std::abs(dx), QStringLiteral("Hz"), kDigits));
+                         .arg(valueWithUnit(
+                             1.0 / std::abs(dx), QStringLiteral("Hz"), kReadingDigits));
         if (const double dy = m_points[1]->y - m_points[0]->y; std::isfinite(dy))
             lines += QStringLiteral("Δy: %1").arg(valueText(dy, content.yAxis));
     }

@@ -17,7 +17,7 @@ constexpr std::array<double, 5> kDampingRatios{0.1, 0.3, 0.5, 0.7, 0.9};
 constexpr int kFrequencies = 5; ///< even steps up to half the sample rate
 constexpr int kPoints = 60; ///< of a line: steps of some pixels
 constexpr double kLeastRadius_px = 40.0; ///< of the unit circle, for labels to have room
-constexpr double kLabelGap_px = 4.0;
+constexpr double kGridLabelGap_px = 4.0;
 constexpr double kSmaller = 0.85; ///< size of labels relative to those of the axes
 
 /// e^(sT) with undamped angular frequency w0 T and damping ratio zeta, upper half.
@@ -111,7 +111,7 @@ void DampingGrid::drawFrequencies(QCPPainter *painter)
         const QString text
             = valueWithUnit(step * m_rate_Hz / (2.0 * kFrequencies), QStringLiteral("Hz"), 2);
         const double width = metrics.horizontalAdvance(text);
-        const double side = z.real() < 0.0 ? -kLabelGap_px - width : kLabelGap_px;
+        const double side = z.real() < 0.0 ? -kGridLabelGap_px - width : kGridLabelGap_px;
         drawLabel(painter, pixelOf(z) + QPointF(side, 0.3 * metrics.height()), text);
     }
 }
@@ -127,7 +127,7 @@ void DampingGrid::drawDampingRatios(QCPPainter *painter)
         if (above - at.y() < 0.8 * metrics.height())
             continue;
         above = at.y();
-        drawLabel(painter, at + QPointF(kLabelGap_px, 0.35 * metrics.height()),
+        drawLabel(painter, at + QPointF(kGridLabelGap_px, 0.35 * metrics.height()),
             QStringLiteral("ζ ") + QLocale().toString(zeta));
     }
 }

@@ -13,7 +13,8 @@ namespace {
 
 constexpr double kNarrowest = 1e-9; ///< of what shows all: a tenth of a sample of 100 MS
 constexpr double kWidest = 1e6;
-constexpr double kDigits = 1e-12; ///< of the larger bound; less leaves no digits for pixels
+constexpr double kLeastRelativeWidth
+    = 1e-12; ///< of the larger bound; less leaves no digits for pixels
 
 QCPRange widened(QCPRange range, const PlotAxis &axis, double margin)
 {
@@ -57,7 +58,7 @@ QCPRange drawableRange(const QCPRange &range, const QCPRange &home, bool logarit
     const double center = std::isfinite(range.center())
         ? std::clamp(range.center(), home.center() - far, home.center() + far)
         : home.center();
-    const double least = std::max(kNarrowest * whole, kDigits * std::abs(center));
+    const double least = std::max(kNarrowest * whole, kLeastRelativeWidth * std::abs(center));
     const double size = std::isfinite(range.size()) ? std::clamp(range.size(), least, far) : whole;
     if (size == range.size() && center == range.center())
         return range;

@@ -12,7 +12,7 @@ namespace {
 
 constexpr double kReach_px = 10.0;
 constexpr int kLabelLift_px = 7; ///< labels stand above the ticks
-constexpr int kLabelGap_px = 3;
+constexpr int kHandleLabelGap_px = 3;
 
 void placeVertical(QCPItemLine *line, double x)
 {
@@ -69,7 +69,7 @@ PlotHandles::Items PlotHandles::makeItems(const HandleState &state)
     items.label->position->setTypeX(QCPItemPosition::ptPlotCoords);
     items.label->position->setTypeY(QCPItemPosition::ptAxisRectRatio);
     items.label->setSelectable(false);
-    items.label->setPadding(QMargins(kLabelGap_px, 1, kLabelGap_px, kLabelLift_px));
+    items.label->setPadding(QMargins(kHandleLabelGap_px, 1, kHandleLabelGap_px, kLabelLift_px));
     return items;
 }
 
@@ -228,7 +228,7 @@ void PlotHandles::placeLabels()
         label->setVisible(!m_states[i].label.isEmpty());
         if (!label->visible() || !(x >= axes.left() && x <= axes.right()))
             continue;
-        const int width = metrics.horizontalAdvance(m_states[i].label) + 2 * kLabelGap_px;
+        const int width = metrics.horizontalAdvance(m_states[i].label) + 2 * kHandleLabelGap_px;
         if (width > axes.width()) { // cut, it would say nothing
             label->setVisible(false);
             continue;
@@ -243,7 +243,8 @@ void PlotHandles::placeLabels()
             place.translate(0, metrics.height());
         taken.push_back(place);
         label->setPositionAlignment((leftOf ? Qt::AlignRight : Qt::AlignLeft) | Qt::AlignBottom);
-        label->setPadding(QMargins(kLabelGap_px, 1, kLabelGap_px, kLabelLift_px + place.top()));
+        label->setPadding(
+            QMargins(kHandleLabelGap_px, 1, kHandleLabelGap_px, kLabelLift_px + place.top()));
     }
 }
 

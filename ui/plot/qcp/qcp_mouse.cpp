@@ -18,7 +18,7 @@ namespace dyncal {
 namespace {
 
 constexpr double kWheelZoom = 0.85; ///< range kept per wheel notch
-constexpr double kPanStep = 0.1; ///< of the range per wheel notch
+constexpr double kWheelPanStep = 0.1; ///< of the range per wheel notch
 constexpr double kDragStart_px = 4.0;
 constexpr double kCursorReach_px = 4.0;
 constexpr double kHoverReach_px = 12.0;
@@ -263,7 +263,7 @@ void PlotMouse::wheel(const QWheelEvent &event)
         return;
     const QPointF at = inPlot(event.position());
     if (event.modifiers().testFlag(Qt::ShiftModifier)) {
-        m_canvas.pan(-kPanStep * notches, 0.0);
+        m_canvas.pan(-kWheelPanStep * notches, 0.0);
         return;
     }
     const QRect rect = m_plot->axisRect()->rect();

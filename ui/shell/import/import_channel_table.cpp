@@ -5,6 +5,7 @@
 
 #include "core/capture/channel_units.h"
 #include "ui/shell/import/fixed_item.h"
+#include "ui/shell/import/offered_roles.h"
 #include "ui/shell/import/trace_cell.h"
 #include "ui/stages/frame/optional_edit.h"
 #include "ui/stages/frame/position_in.h"
@@ -38,8 +39,6 @@ enum Column {
     Count
 };
 
-constexpr std::array kRoles{ChannelRole::Dut, ChannelRole::DrivenSide, ChannelRole::Driver,
-    ChannelRole::Trigger, ChannelRole::Reference, ChannelRole::Other};
 const std::array<std::string, 3> kReferences{"", "gauge", "absolute"};
 constexpr double kMillivoltPerKilopascal = 1e-6; ///< in V/Pa
 constexpr double kSmallest = 1e-30;
@@ -134,10 +133,10 @@ void ImportChannelTable::makeRow(int row, const ImportChannel &channel)
     put(row, Trace, new TraceCell(this), "importTrace", tr("Trace of channel %1").arg(name));
     if (channel.shot == 0) {
         auto *role = new QComboBox(this);
-        for (const ChannelRole choice : kRoles)
+        for (const ChannelRole choice : kOfferedRoles)
             role->addItem(roleText(choice));
         connect(role, &QComboBox::activated, this, [this, row](int choice) {
-            emit roleChosen(row, kRoles[static_cast<std::size_t>(choice)]);
+            emit roleChosen(row, kOfferedRoles[static_cast<std::size_t>(choice)]);
         });
         put(row, Role, role, "importRole", tr("Role of channel %1").arg(name));
     }
@@ -209,7 +208,7 @@ void ImportChannelTable::fillRow(int row, const ImportChannel &channel)
             row, Role, fixedItem(tr("%1, shot %2").arg(roleText(channel.role)).arg(channel.shot)));
     else
         static_cast<QComboBox *>(cellWidget(row, Role))
-            ->setCurrentIndex(positionIn(kRoles, channel.role));
+            ->setCurrentIndex(positionIn(kOfferedRoles, channel.role));
     auto *unit = static_cast<QLineEdit *>(cellWidget(row, Unit));
     const bool stated = isStated(channel.unit);
     unit->setPlaceholderText(stated ? shownText(channel.unit) : tr("not stated"));

@@ -3,6 +3,7 @@
 
 #include "ui/shell/import/import_dataset_tree.h"
 
+#include "ui/shell/import/offered_roles.h"
 #include "ui/text/core_text.h"
 #include "ui/text/level_text.h"
 #include "ui/text/shown_text.h"
@@ -11,16 +12,12 @@
 #include <QHeaderView>
 
 #include <algorithm>
-#include <array>
 
 namespace dyncal {
 
 namespace {
 
-enum Column { Name, ReadAs, Extents, Type, About, Count };
-
-constexpr std::array kRoles{ChannelRole::Dut, ChannelRole::DrivenSide, ChannelRole::Driver,
-    ChannelRole::Trigger, ChannelRole::Reference, ChannelRole::Other};
+enum TreeColumn { NameColumn, ReadAsColumn, ExtentsColumn, TypeColumn, AboutColumn, ColumnCount };
 
 QString shapeText(const std::vector<std::uint64_t> &shape)
 {
@@ -51,7 +48,7 @@ ImportDatasetTree::ImportDatasetTree(QWidget *parent)
 {
     setObjectName("importDatasets");
     setAccessibleName(tr("Datasets of the file"));
-    setColumnCount(Count);
+    setColumnCount(ColumnCount);
     setHeaderLabels({tr("Dataset"), tr("Read as"), tr("Shape"), tr("Type"), tr("Attributes")});
     setSelectionMode(QAbstractItemView::NoSelection);
     setMinimumHeight(140);
@@ -74,10 +71,10 @@ void ImportDatasetTree::setDatasets(
     for (QComboBox *choice : findChildren<QComboBox *>()) {
         const auto read = std::ranges::find(channels, choice->property("channel").toString(),
             [](const ImportChannel &channel) { return rawText(channel.name); });
-        const auto role
-            = read == channels.end() ? kRoles.end() : std::ranges::find(kRoles, read->role);
+        const auto role = read == channels.end() ? kOfferedRoles.end()
+                                                 : std::ranges::find(kOfferedRoles, read->role);
         choice->setCurrentIndex(
-            role == kRoles.end() ? 0 : 1 + static_cast<int>(role - kRoles.begin()));
+            role == kOfferedRoles.end() ? 0 : 1 + static_cast<int>(role - kOfferedRoles.begin()));
     }
 }
 
@@ -87,20 +84,20 @@ void ImportDatasetTree::addDataset(const DatasetEntry &dataset)
     const qsizetype slash = path.lastIndexOf('/');
     QTreeWidgetItem *group = groupOf(path.left(std::max<qsizetype>(slash, 0)));
     auto *item = new QTreeWidgetItem(group);
-    item->setText(Name, shownText(path.mid(slash + 1)));
-    item->setText(Extents, shapeText(dataset.shape));
-    item->setText(Type, shownText(dataset.type));
+    item->setText(NameColumn, shownText(path.mid(slash + 1)));
+    item->setText(ExtentsColumn, shapeText(dataset.shape));
+    item->setText(TypeColumn, shownText(dataset.type));
     const QString attributes = attributesText(dataset.attributes);
     const QString about = dataset.channels.empty() ? translated(dataset.whyNot) : attributes;
-    item->setText(About, about);
-    item->setToolTip(About, attributes.isEmpty() ? about : attributes);
+    item->setText(AboutColumn, about);
+    item->setToolTip(AboutColumn, attributes.isEmpty() ? about : attributes);
     if (dataset.channels.size() == 1)
         addChoice(item, rawText(dataset.channels.front()));
     for (const std::string &channel : dataset.channels) {
         if (dataset.channels.size() == 1)
             break;
         auto *column = new QTreeWidgetItem(item);
-        column->setText(Name, shownText(channel));
+        column->setText(NameColumn, shownText(channel));
         addChoice(column, rawText(channel));
     }
 }
@@ -113,13 +110,14 @@ QTreeWidgetItem *ImportDatasetTree::groupOf(const QString &path)
         QTreeWidgetItem *next = nullptr;
         for (int i = 0; i < group->childCount() && next == nullptr; ++i) {
             QTreeWidgetItem *child = group->child(i);
-            next = child->text(Name) == shownText(name) && child->text(Type).isEmpty() ? child
-                                                                                       : nullptr;
+            next = child->text(NameColumn) == shownText(name) && child->text(TypeColumn).isEmpty()
+                ? child
+                : nullptr;
         }
         if (next == nullptr) {
             next = new QTreeWidgetItem(group);
-            next->setText(Name, shownText(name));
-            next->setText(Extents, tr("group"));
+            next->setText(NameColumn, shownText(name));
+            next->setText(ExtentsColumn, tr("group"));
         }
         group = next;
     }
@@ -133,14 +131,14 @@ void ImportDatasetTree::addChoice(QTreeWidgetItem *item, const QString &channel)
     choice->setAccessibleName(tr("What %1 is read as").arg(shownText(channel)));
     choice->setProperty("channel", channel);
     choice->addItem(tr("not read"));
-    for (const ChannelRole role : kRoles)
+    for (const ChannelRole role : kOfferedRoles)
         choice->addItem(roleText(role));
     connect(choice, &QComboBox::activated, this, [this, channel](int picked) {
         emit roleChosen(channel,
             picked == 0 ? std::nullopt
-                        : std::optional(kRoles[static_cast<std::size_t>(picked - 1)]));
+                        : std::optional(kOfferedRoles[static_cast<std::size_t>(picked - 1)]));
     });
-    setItemWidget(item, ReadAs, choice);
+    setItemWidget(item, ReadAsColumn, choice);
 }
 
 } // namespace dyncal

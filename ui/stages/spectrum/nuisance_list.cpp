@@ -22,8 +22,8 @@ namespace dyncal {
 
 namespace {
 
-constexpr double kLowest_Hz = 1.0;
-constexpr double kHighest_Hz = 1e9;
+constexpr double kLowestNuisance_Hz = 1.0;
+constexpr double kHighestNuisance_Hz = 1e9;
 constexpr double kFewestPeriods = 2.0;
 
 template <typename Control>
@@ -55,8 +55,9 @@ NuisanceList::NuisanceList(QWidget *parent)
     , m_remove(named(new WrappedButton(tr("Leave in again"), this), "nuisanceRemove",
           tr("Leave the selected oscillation in again")))
     , m_candidates(named(new WrappedComboBox(this), "nuisanceCandidates", tr("Candidates")))
-    , m_frequency(named(new QuantityEdit({"kHz", 1e3}, kLowest_Hz, kHighest_Hz, 6, this),
-          "nuisanceFrequency", tr("Frequency of the oscillation")))
+    , m_frequency(
+          named(new QuantityEdit({"kHz", 1e3}, kLowestNuisance_Hz, kHighestNuisance_Hz, 6, this),
+              "nuisanceFrequency", tr("Frequency of the oscillation")))
     , m_shot(
           named(new WrappedComboBox(this), "nuisanceShot", tr("Shot where the frequency was read")))
     , m_kind(named(new WrappedComboBox(this), "nuisanceKind", tr("Kind of oscillation")))

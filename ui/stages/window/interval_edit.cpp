@@ -11,14 +11,14 @@ namespace dyncal {
 
 namespace {
 
-constexpr int kDecimals = 4;
+constexpr int kIntervalDecimals = 4;
 
 } // namespace
 
 IntervalEdit::IntervalEdit(const ShownUnit &unit, double lowest, double highest, QWidget *parent)
     : QWidget(parent)
-    , m_begin(new QuantityEdit(unit, lowest, highest, kDecimals, this))
-    , m_end(new QuantityEdit(unit, lowest, highest, kDecimals, this))
+    , m_begin(new QuantityEdit(unit, lowest, highest, kIntervalDecimals, this))
+    , m_end(new QuantityEdit(unit, lowest, highest, kIntervalDecimals, this))
     , m_auto(new AutoBox(this))
 {
     auto *layout = new QGridLayout(this);

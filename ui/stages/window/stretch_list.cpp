@@ -24,7 +24,7 @@ namespace dyncal {
 
 namespace {
 
-constexpr double kLongest_s = 100.0;
+constexpr double kLongestStretch_s = 100.0;
 constexpr int kDecimals = 4; ///< of microseconds
 constexpr int kListHeight_px = 84;
 
@@ -56,8 +56,9 @@ StretchList::StretchList(QWidget *parent)
     : QWidget(parent)
     , m_mark(new WrappedButton(tr("Exclude a stretch"), this))
     , m_list(new QListWidget(this))
-    , m_begin(new QuantityEdit({"µs", 1e-6}, -kLongest_s, kLongest_s, kDecimals, this))
-    , m_end(new QuantityEdit({"µs", 1e-6}, -kLongest_s, kLongest_s, kDecimals, this))
+    , m_begin(
+          new QuantityEdit({"µs", 1e-6}, -kLongestStretch_s, kLongestStretch_s, kDecimals, this))
+    , m_end(new QuantityEdit({"µs", 1e-6}, -kLongestStretch_s, kLongestStretch_s, kDecimals, this))
     , m_shot(new WrappedComboBox(this))
     , m_reason(new QLineEdit(this))
     , m_note(new QLabel(this))

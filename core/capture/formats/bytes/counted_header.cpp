@@ -9,7 +9,7 @@ namespace dyncal {
 namespace {
 
 constexpr Index kFewest = 8; ///< samples; fewer prove nothing
-constexpr double kMost = 1e12;
+constexpr double kMostCounted = 1e12;
 constexpr double kLongestInterval_s = 0.01;
 
 bool isCount(double value, double from, double to)
@@ -21,7 +21,7 @@ bool isCount(double value, double from, double to)
 
 std::optional<CountedHeader> countedHeader(std::span<const double> column)
 {
-    if (column.size() < 2 || !isCount(column[0], kFewest, kMost) || !(column[1] > 0.0)
+    if (column.size() < 2 || !isCount(column[0], kFewest, kMostCounted) || !(column[1] > 0.0)
         || column[1] > kLongestInterval_s)
         return std::nullopt;
     CountedHeader header{0, static_cast<Index>(column[0]), column[1], true};

@@ -11,12 +11,12 @@ namespace dyncal {
 namespace {
 
 constexpr std::uint64_t kAlways = std::uint64_t(64) << 20;
-constexpr double kMost = 0x1p62; ///< sums of two stay in range
+constexpr double kMostExpanded = 0x1p62; ///< sums of two stay in range
 
 std::uint64_t allowedFor(std::uint64_t fileBytes, double factor)
 {
     const double grown = factor * static_cast<double>(fileBytes);
-    return kAlways + static_cast<std::uint64_t>(std::clamp(grown, 0.0, kMost));
+    return kAlways + static_cast<std::uint64_t>(std::clamp(grown, 0.0, kMostExpanded));
 }
 
 /// "141.3 MiB".

@@ -50,13 +50,6 @@ private:
     std::vector<bool> m_seen;
 };
 
-ForeignChannels none(Message why)
-{
-    ForeignChannels channels;
-    channels.whyNot = std::move(why);
-    return channels;
-}
-
 Message tooFew(const std::string &name)
 {
     return {DYNCAL_TEXT("core", "%1 has fewer than two samples."), {name}};
@@ -78,33 +71,41 @@ Index linksNotFollowed(const Hdf5Tree &tree)
     return count;
 }
 
+ForeignChannels noChannels(Message why)
+{
+    ForeignChannels channels;
+    channels.whyNot = std::move(why);
+    return channels;
+}
+
 ForeignChannels channelsOf(const ForeignDataset &dataset, const std::string &file)
 {
     const Hdf5Dataset &data = dataset.object->dataset;
     if (data.obstacle != Hdf5Obstacle::None)
-        return none(hdf5ObstacleError(file, dataset.path, data).value().message);
+        return noChannels(hdf5ObstacleError(file, dataset.path, data).value().message);
     if (dataset.object->tooManyAttributes != 0)
-        return none(
+        return noChannels(
             {DYNCAL_TEXT("core",
                  "%1 has more than 1024 attributes, which were not read: its scale and unit are unknown."),
                 {dataset.path}});
     ForeignChannels channels;
     if (data.shape.empty() || data.shape[0] > (std::uint64_t(1) << 48))
-        return none(tooFew(dataset.path));
+        return noChannels(tooFew(dataset.path));
     if (data.shape.size() == 1) {
         channels.samples = static_cast<Index>(data.shape[0]);
         channels.names = {dataset.path};
-        return channels.samples >= 2 ? channels : none(tooFew(dataset.path));
+        return channels.samples >= 2 ? channels : noChannels(tooFew(dataset.path));
     }
     channels.sampleAxis
         = data.shape[0] < data.shape[1] && data.shape[0] <= kMaxTableColumns ? 1 : 0;
     const auto axis = static_cast<std::size_t>(channels.sampleAxis);
     if (data.shape[axis] < 2 || data.shape[1 - axis] == 0)
-        return none(tooFew(dataset.path));
+        return noChannels(tooFew(dataset.path));
     if (data.shape[1 - axis] > static_cast<std::uint64_t>(kMaxTableColumns))
-        return none({DYNCAL_TEXT("core",
-                         "%1 is a table of %2 x %3 numbers; at most 64 columns become channels."),
-            {dataset.path, std::to_string(data.shape[0]), std::to_string(data.shape[1])}});
+        return noChannels(
+            {DYNCAL_TEXT(
+                 "core", "%1 is a table of %2 x %3 numbers; at most 64 columns become channels."),
+                {dataset.path, std::to_string(data.shape[0]), std::to_string(data.shape[1])}});
     channels.samples = static_cast<Index>(data.shape[axis]);
     const std::uint64_t count = data.shape[1 - axis];
     for (std::uint64_t i = 0; i < count; ++i) {

@@ -37,6 +37,9 @@ struct ForeignChannels
     Message whyNot; ///< if it can be none
 };
 
+/// None, for this reason.
+ForeignChannels noChannels(Message why);
+
 /// At least two numbers along one dimension are one channel named by the path; a table's columns,
 /// or its rows if those are longer, are channels "path[:,0]" or "path[0,:]".
 ForeignChannels channelsOf(const ForeignDataset &dataset, const std::string &file);

@@ -37,13 +37,6 @@ bool isVariable(const ForeignDataset &dataset)
     return dataset.groups.size() == 1;
 }
 
-ForeignChannels none(Message why)
-{
-    ForeignChannels channels;
-    channels.whyNot = std::move(why);
-    return channels;
-}
-
 /// Members of the root that are no matrices of real numbers, for the finding.
 std::string otherVariables(const Hdf5File &file)
 {
@@ -81,13 +74,14 @@ bool isMat73(const std::string &path)
 ForeignChannels mat73ChannelsOf(const ForeignDataset &variable, const std::string &file)
 {
     if (!isVariable(variable))
-        return none({DYNCAL_TEXT("core", "%1 is part of a structure or a cell."), {variable.path}});
+        return noChannels(
+            {DYNCAL_TEXT("core", "%1 is part of a structure or a cell."), {variable.path}});
     const std::string matlabClass
         = textAttribute(*variable.object, "MATLAB_class").value_or("without class");
     const bool special = variable.object->attributes.contains("MATLAB_empty")
         || variable.object->attributes.contains("MATLAB_sparse");
     if (!isNumeric(matlabClass) || special)
-        return none({DYNCAL_TEXT("core", "%1 (%2) is no full matrix of real numbers."),
+        return noChannels({DYNCAL_TEXT("core", "%1 (%2) is no full matrix of real numbers."),
             {variable.name, matlabClass}});
     ForeignChannels channels = channelsOf(variable, file);
     if (channels.names.size() == 1)

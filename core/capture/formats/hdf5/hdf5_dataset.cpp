@@ -12,8 +12,8 @@ namespace {
 
 /// Memory for unpacking a chunk, in chunks: filters double their buffers, and the library keeps
 /// one.
-constexpr hsize_t kChunkCopies = 4;
-constexpr hsize_t kMaxUnpackedBytes = hsize_t(4) << 30;
+constexpr hsize_t kChunksInMemory = 4;
+constexpr hsize_t kLargestDataset_bytes = hsize_t(4) << 30;
 
 /// The library finds a chunk by walking over all; with more than this many the dataset is unpacked.
 constexpr hsize_t kMaxLocatedChunks = 8192;
@@ -243,7 +243,7 @@ private:
         m_made.blockOffsets.clear();
         if (m_made.unpackedBytes > m_file.allowedBytes)
             m_made.obstacle = Hdf5Obstacle::OverBudget;
-        else if (m_made.elements() > kMaxUnpackedBytes / sizeof(double))
+        else if (m_made.elements() > kLargestDataset_bytes / sizeof(double))
             m_made.obstacle = Hdf5Obstacle::TooLarge;
         if (m_made.obstacle != Hdf5Obstacle::None)
             m_made.storage = Hdf5Storage::Nowhere;
@@ -259,7 +259,7 @@ private:
         if (!isFiltered())
             return;
         m_made.chunkBytes = chunkElements() * H5Tget_size(m_type.id());
-        const std::uint64_t chunks = std::max(m_neededChunks, kChunkCopies);
+        const std::uint64_t chunks = std::max(m_neededChunks, kChunksInMemory);
         constexpr std::uint64_t kMost = std::numeric_limits<std::uint64_t>::max();
         const std::uint64_t all
             = m_made.chunkBytes > kMost / chunks ? kMost : chunks * m_made.chunkBytes;

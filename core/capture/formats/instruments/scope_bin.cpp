@@ -22,7 +22,7 @@ namespace {
 
 constexpr std::size_t kWaveformHeader = 140; ///< bytes of it that are described
 constexpr std::uint32_t kWaveforms = 100000; ///< more than any memory of segments holds
-constexpr std::size_t kChannels = 64; ///< of one segment, with all that is computed from others
+constexpr std::size_t kMostTraces = 64; ///< of one segment, with all that is computed from others
 
 enum WaveformType : std::uint32_t { Normal = 1, PeakDetect = 2, Average = 3, Logic = 6 };
 enum BufferType : std::uint16_t { FloatBuffer = 1 };
@@ -210,7 +210,7 @@ private:
         if (!std::isfinite(wave.origin_s))
             return impossibleField(m_path, "time of the first point", numberText(wave.origin_s));
         Shot &shot = m_shots[wave.segment];
-        if (shot.channels.size() >= kChannels)
+        if (shot.channels.size() >= kMostTraces)
             return impossibleField(m_path, "number of waveforms", "more than 64 at a time");
         Channel channel = channelOf(wave, freeChannelName(shot, name));
         const auto samples = samplesInFile(m_file,

@@ -24,7 +24,7 @@ constexpr std::size_t kChunkHeader = 8;
 constexpr std::size_t kFormatBytes = 40; ///< of an extensible format chunk
 constexpr std::uint32_t kNotWritten = 0xFFFFFFFF; ///< length of a stream, or it is in ds64
 constexpr int kChunks = 1000; ///< more than any writer puts before the samples
-constexpr int kChannels = 256; ///< more than any recorder has
+constexpr int kMostWavChannels = 256; ///< more than any recorder has
 constexpr std::uint16_t kPcm = 1, kFloat = 3, kExtensible = 0xFFFE;
 
 struct WavFormat
@@ -212,7 +212,7 @@ private:
         if (!m_format)
             return endsInHeader(m_path);
         const WavFormat &format = *m_format;
-        if (format.channels > kChannels)
+        if (format.channels > kMostWavChannels)
             return impossibleField(m_path, "number of channels", std::to_string(format.channels));
         if (format.channels == 0 || format.frameBytes % format.channels != 0
             || format.frameBytes == 0)

@@ -15,7 +15,7 @@ constexpr std::uint64_t kLeadInBytes = 28;
 constexpr std::uint32_t kTag = 0x6D534454; // "TDSm"
 constexpr std::uint32_t kIndexTag = 0x68534454; // "TDSh"
 constexpr std::uint64_t kNotClosed = 0xFFFFFFFFFFFFFFFF;
-constexpr std::size_t kMostObjects = 1 << 16;
+constexpr std::size_t kMostKeptObjects = 1 << 16;
 
 /// Bits of the table of contents.
 constexpr std::uint32_t kMetaData = 1 << 1;
@@ -206,7 +206,7 @@ private:
     /// Nothing of a segment is used before all of it is checked.
     tl::expected<void, TdmsProblem> checkEntries(const std::vector<TdmsObjectEntry> &entries) const
     {
-        if (m_contents.objects.size() + entries.size() > 2 * kMostObjects)
+        if (m_contents.objects.size() + entries.size() > 2 * kMostKeptObjects)
             return Unexpected(
                 {DYNCAL_TEXT("core",
                      "%1 is damaged: up to byte %2 it names more channels than any recording has."),

@@ -13,7 +13,7 @@ namespace dyncal {
 namespace {
 
 using Node = TdmsScaleNode;
-using Unexpected = tl::unexpected<Message>;
+using Refusal = tl::unexpected<Message>;
 
 constexpr std::uint64_t kRawInput = 0xFFFFFFFF;
 constexpr std::uint64_t kMostScales = 256;
@@ -85,20 +85,20 @@ public:
                 {std::to_string(scales)});
         m_scales = scales;
         if (const auto result = node(scales - 1); !result)
-            return Unexpected(result.error());
+            return Refusal(result.error());
         return std::optional(std::move(m_chain));
     }
 
 private:
     using Place = tl::expected<std::size_t, Message>;
 
-    Unexpected problem(const char *text, std::vector<std::string> arguments) const
+    Refusal problem(const char *text, std::vector<std::string> arguments) const
     {
         arguments.insert(arguments.begin(), m_channel);
-        return Unexpected(Message{text, std::move(arguments)});
+        return Refusal(Message{text, std::move(arguments)});
     }
 
-    Unexpected incomplete(std::uint64_t scale, const std::string &type) const
+    Refusal incomplete(std::uint64_t scale, const std::string &type) const
     {
         return problem(
             DYNCAL_TEXT("core",

@@ -9,7 +9,7 @@
 namespace dyncal {
 namespace {
 
-constexpr int kDigits = 7; ///< of rates, enough to see 0.1 %
+constexpr int kRateDigits = 7; ///< of rates, enough to see 0.1 %
 
 tl::unexpected<Error> failure(const char *id, const char *text, std::vector<std::string> words)
 {
@@ -18,7 +18,7 @@ tl::unexpected<Error> failure(const char *id, const char *text, std::vector<std:
 
 std::string hertz(double rate_Hz)
 {
-    return numberWithUnit(rate_Hz, "Hz", kDigits);
+    return numberWithUnit(rate_Hz, "Hz", kRateDigits);
 }
 
 } // namespace
@@ -63,7 +63,7 @@ TimeSentences::Failure TimeSentences::noUnitAgrees(double step, double known_Hz)
     return failure("CAP-003",
         DYNCAL_TEXT("core",
             "%1: the stated sample rate is %2, but the times, which have no unit, step by %3: that fits neither in s nor in ms, us or ns. Correct the rate, or name only the columns of samples in the recipe's import section."),
-        {path, hertz(known_Hz), numberText(step, kDigits)});
+        {path, hertz(known_Hz), numberText(step, kRateDigits)});
 }
 
 TimeSentences::Failure TimeSentences::otherTimes(
@@ -142,7 +142,7 @@ Finding TimeSentences::unitUnknown(const std::string &name, double step, bool co
                "%1: column \"%2\" only counts the rows, so the sample rate is unknown; state sample_rate_hz in the recipe's import section.")
                    : DYNCAL_TEXT("core",
                        "%1: column \"%2\" steps by %3 without a unit, so the sample rate is unknown; state sample_rate_hz in the recipe's import section."),
-            {path, name, numberText(step, kDigits)}}};
+            {path, name, numberText(step, kRateDigits)}}};
 }
 
 Finding TimeSentences::secondsAssumed(
