@@ -15,6 +15,8 @@ if(DYNCAL_WERROR)
     target_compile_options(dyncal_options INTERFACE -Werror)
 endif()
 if(DYNCAL_SANITIZE)
-    target_compile_options(dyncal_options INTERFACE -fsanitize=address,undefined -fno-omit-frame-pointer)
+    # As g++ says it of itself; clang does not.
+    target_compile_options(dyncal_options INTERFACE -fsanitize=address,undefined -fno-omit-frame-pointer
+        $<$<CXX_COMPILER_ID:Clang>:-D__SANITIZE_ADDRESS__=1>)
     target_link_options(dyncal_options INTERFACE -fsanitize=address,undefined)
 endif()

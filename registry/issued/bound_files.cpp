@@ -5,6 +5,7 @@
 
 #include "core/base/content_hash.h"
 #include "core/base/writing/written_list.h"
+#include "core/dcc/dcc_document.h"
 #include "registry/issued/issued_files.h"
 
 #include <algorithm>
@@ -15,11 +16,11 @@ namespace dyncal {
 
 std::string boundFilesHash(const std::map<std::string, std::string> &hashes)
 {
-    constexpr std::array<std::string_view, 4> kLater{
-        kIssuedPdf, kAuditFile, kManifest, kWrittenList};
+    constexpr std::array<std::string_view, 5> kBoundOtherwise{
+        kIssuedPdf, kDccFile, kAuditFile, kManifest, kWrittenList};
     std::string lines;
     for (const auto &[name, hash] : hashes)
-        if (std::ranges::find(kLater, name) == kLater.end())
+        if (std::ranges::find(kBoundOtherwise, name) == kBoundOtherwise.end())
             lines += name + ' ' + hash + '\n';
     return sha256Hex(std::string_view(lines));
 }

@@ -36,7 +36,7 @@ std::string fieldOf(const CertificateData &data, const char *section, const char
     return "(none)";
 }
 
-const CertificateIssue kIssue{"17", {}, {}, "headhash", "resultshash"};
+const CertificateIssue kIssue{"17", {}, {}, "headhash", "resultshash", "fileshash"};
 
 } // namespace
 
@@ -64,7 +64,7 @@ private slots:
         using Marks = std::vector<std::pair<std::string, std::string>>;
         QVERIFY((data.marks
             == Marks{{"number", "17"}, {"amends", ""}, {"head", "headhash"},
-                {"results", "resultshash"}}));
+                {"results", "resultshash"}, {"files", "fileshash"}}));
         QCOMPARE(fieldOf(data, "administrative", "amends"), "(none)");
     }
 

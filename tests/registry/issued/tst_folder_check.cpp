@@ -203,7 +203,7 @@ private slots:
     {
         const std::map<std::string, std::string> hashes{{"recipe.json", "b"},
             {"project.dyncal", "a"}, {"sources/x.csv", "c"}, {"certificate.pdf", "d"},
-            {"audit.jsonl", "e"}, {"manifest.json", "f"}, {"written.json", "g"}};
+            {"dcc.xml", "h"}, {"audit.jsonl", "e"}, {"manifest.json", "f"}, {"written.json", "g"}};
         QCOMPARE(boundFilesHash(hashes),
             sha256Hex(std::string_view("project.dyncal a\nrecipe.json b\nsources/x.csv c\n")));
     }
