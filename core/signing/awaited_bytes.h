@@ -14,7 +14,7 @@ namespace dyncal {
 struct AnswerLimits
 {
     std::chrono::milliseconds time = std::chrono::seconds(60); ///< for all of it
-    std::size_t bytes = 64U * 1024U;
+    std::size_t bytes = std::size_t{64} * 1024;
 };
 
 enum class Awaited { Whole, TooMuch, TooLate, Broken, Stopped };

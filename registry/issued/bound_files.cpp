@@ -21,7 +21,7 @@ std::string boundFilesHash(const std::map<std::string, std::string> &hashes)
     std::string lines;
     for (const auto &[name, hash] : hashes)
         if (std::ranges::find(kBoundOtherwise, name) == kBoundOtherwise.end())
-            lines += name + ' ' + hash + '\n';
+            lines.append(name).append(1, ' ').append(hash).append(1, '\n');
     return sha256Hex(std::string_view(lines));
 }
 
