@@ -3,15 +3,7 @@
 
 # Writes into FOLDER what MOC makes of FILES below ROOT (Moc.cmake): NAME.moc of NAME.cpp, and mocs.cpp of
 # all headers. A file that is the same stays.
-function(write_changed file text)
-    set(before "")
-    if(EXISTS "${file}")
-        file(READ "${file}" before)
-    endif()
-    if(NOT EXISTS "${file}" OR NOT text STREQUAL before)
-        file(WRITE "${file}" "${text}")
-    endif()
-endfunction()
+include("${CMAKE_CURRENT_LIST_DIR}/WriteChanged.cmake")
 
 set(headers "")
 foreach(file IN LISTS FILES)

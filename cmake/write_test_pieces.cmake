@@ -5,6 +5,7 @@
 # (TestsTogether.cmake). Their headers come first, outside of the namespaces; inside, their include
 # guards make them empty. Places are seen from ROOT, so that the compiler cache knows the piece in
 # another clone. A piece that is the same stays, and is not compiled again.
+include("${CMAKE_CURRENT_LIST_DIR}/WriteChanged.cmake")
 function(write_piece file)
     set(headers "")
     set(tests "")
@@ -22,14 +23,7 @@ function(write_piece file)
     endforeach()
     list(REMOVE_DUPLICATES headers)
     list(JOIN headers "\n" headers)
-    set(text "${headers}\n${tests}")
-    set(before "")
-    if(EXISTS "${file}")
-        file(READ "${file}" before)
-    endif()
-    if(NOT text STREQUAL before)
-        file(WRITE "${file}" "${text}")
-    endif()
+    write_changed("${file}" "${headers}\n${tests}")
 endfunction()
 
 list(LENGTH SOURCES count)

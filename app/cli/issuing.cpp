@@ -116,14 +116,6 @@ Result<Files> withSignedPdf(Files files, const IssueOrder &order)
     return files;
 }
 
-std::map<std::string, std::string> hashesOf(const Files &files)
-{
-    std::map<std::string, std::string> hashes;
-    for (const auto &[name, bytes] : files)
-        hashes[name] = sha256Hex(std::string_view(bytes));
-    return hashes;
-}
-
 CertificateIssue issueOf(
     const IssueOrder &order, const CertificateRecord &record, const std::string &results)
 {

@@ -62,6 +62,14 @@ std::optional<IssuedManifest> readManifest(const std::string &folder)
     return parseManifest({std::istreambuf_iterator<char>(in), {}});
 }
 
+std::map<std::string, std::string> hashesOf(const std::map<std::string, std::string> &files)
+{
+    std::map<std::string, std::string> hashes;
+    for (const auto &[name, bytes] : files)
+        hashes[name] = sha256Hex(std::string_view(bytes));
+    return hashes;
+}
+
 std::string manifestText(const IssuedManifest &manifest)
 {
     return jsonText(Json{{"schema", kSchema}, {"number", manifest.number},
@@ -107,8 +115,7 @@ Result<std::map<std::string, std::string>> writeIssuedFolder(const std::string &
         return tl::unexpected<Error>(isFree.error());
     std::map<std::string, std::string> all = files;
     all[kAuditFile] = auditText(reserved.trail, certificateObject(reserved.record.number));
-    for (const auto &[name, bytes] : all)
-        manifest.files[name] = sha256Hex(std::string_view(bytes));
+    manifest.files = hashesOf(all);
     all[kManifest] = manifestText(manifest);
     Result<FolderWrite> write = FolderWrite::begin(requestOf(place, recordings, mayCommit));
     if (!write)

@@ -40,6 +40,9 @@ std::optional<IssuedManifest> parseManifest(const std::string &text);
 /// The one in a folder; empty also where there is no such file.
 std::optional<IssuedManifest> readManifest(const std::string &folder);
 
+/// SHA-256 by name, of files' bytes by name.
+std::map<std::string, std::string> hashesOf(const std::map<std::string, std::string> &files);
+
 /// Whether an issued folder may hold a file of this name (relative).
 bool isIssuedName(const std::string &name);
 

@@ -30,11 +30,9 @@ inline std::map<std::string, std::string> madeCertificate(const CertificateRecor
     const auto mark = [](const char *name, const std::string &value) {
         return std::string("<dyncal:").append(name) + '>' + value + "</dyncal:" + name + ">\n";
     };
-    std::map<std::string, std::string> hashes;
-    for (const auto &[name, bytes] : files)
-        hashes[name] = sha256Hex(std::string_view(bytes));
+    const std::map<std::string, std::string> hashes = hashesOf(files);
     files["certificate.pdf"] = "%PDF " + std::string(20000, 'x') + mark("number", number)
-        + mark("head", record.head) + mark("results", hashes["results.json"])
+        + mark("head", record.head) + mark("results", hashes.at("results.json"))
         + mark("files", boundFilesHash(hashes));
     return files;
 }

@@ -13,9 +13,6 @@
 #include <sys/stat.h>
 
 namespace dyncal {
-namespace {
-
-} // namespace
 
 FileDescriptor parentOf(int folder, const std::string &name)
 {
