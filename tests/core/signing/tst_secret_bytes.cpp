@@ -52,7 +52,8 @@ public:
             const bool isRegion
                 = std::sscanf(line.c_str(), "%lx-%lx r%c", &begin, &end, &write) == 3;
             const auto room = reinterpret_cast<unsigned long>(m_room);
-            if (isRegion && write == 'w' && !(begin <= room && room < end))
+            const bool isOfSanitizer = end - begin > kLargestRegion;
+            if (isRegion && write == 'w' && !isOfSanitizer && !(begin <= room && room < end))
                 found += countIn(begin, end, turnedText);
         }
         return found;
@@ -60,6 +61,8 @@ public:
 
 private:
     static constexpr std::size_t kRoom = 1U << 22U;
+    /// Bytes: the notes of a sanitizer are terabytes, of which hardly a page exists.
+    static constexpr unsigned long kLargestRegion = 1UL << 36U;
 
     int countIn(unsigned long begin, unsigned long end, const std::string &text) const
     {
