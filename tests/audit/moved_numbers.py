@@ -3,12 +3,14 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Whether recompute.py notices: one number of results.json after the other is moved, and must come out as OFF.
 
-    tests/audit/moved_numbers.py CAPTURE.h5 FOLDER [WORD...]      as of recompute.py, which must find nothing in them
+    tests/audit/moved_numbers.py [--every N] CAPTURE.h5 FOLDER [WORD...]
 
-With words only the numbers whose name has one of them.
+File and folder as of recompute.py, which must find nothing in them. With words only the numbers whose name has
+one of them; of these the first, and every N-th after it.
 Prints each number with the lines that were out; exit code 1 where none was, or where one was without a move.
 """
 
+import argparse
 import contextlib
 import io
 import json
@@ -114,17 +116,32 @@ def lines_out(results, run):
     return [line[5:50].strip() for line in text.getvalue().splitlines() if line.startswith("OFF ")]
 
 
+def chosen(results, words, every):
+    """(name, place, share) of the moves asked for."""
+    asked = [(name, *move) for name, move in moves(results).items()
+             if not words or any(word in name for word in words)]
+    return asked[::every]
+
+
+def parse():
+    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
+    parser.add_argument("--every", type=int, default=1)
+    parser.add_argument("capture")
+    parser.add_argument("folder")
+    parser.add_argument("words", nargs="*")
+    return parser.parse_args()
+
+
 def main():
-    text = (Path(sys.argv[2]) / "results.json").read_text()
+    arguments = parse()
+    text = (Path(arguments.folder) / "results.json").read_text()
     results = json.loads(text)
     missed = 0
-    with h5py.File(sys.argv[1]) as capture:
-        run = Run(Report(), capture, results, sys.argv[1], sys.argv[2])
+    with h5py.File(arguments.capture) as capture:
+        run = Run(Report(), capture, results, arguments.capture, arguments.folder)
         unmoved = lines_out(results, run)
         print(f"{'OFF ' if unmoved else 'ok  '} nothing moved: {unmoved}")
-        for name, (find, share) in moves(results).items():
-            if sys.argv[3:] and not any(word in name for word in sys.argv[3:]):
-                continue
+        for name, find, share in chosen(results, arguments.words, arguments.every):
             moved = json.loads(text)
             holder, key = find(moved)
             holder[key] *= 1.0 + share

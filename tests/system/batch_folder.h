@@ -3,6 +3,7 @@
 
 #pragma once
 
+#include "tests/system/quick_recipe.h"
 #include "tests/system/short_capture.h"
 
 #include <QDir>
@@ -62,7 +63,7 @@ struct BatchFolder
     {
         QStringList words{"batch", "plan", path("in"), "-o", path("night.jsonl")};
         if (!more.contains("--recipe")) {
-            writeBytes(path("quick.json"), R"({"uncertainty": {"monte_carlo_trials": 100}})");
+            writeBytes(path("quick.json"), kQuickRecipe);
             words << "--recipe" << path("quick.json");
         }
         return runDyncal(words + more, kEpoch);

@@ -149,6 +149,7 @@ inline QByteArray jsonBytes(const nlohmann::json &json)
 inline QByteArray recipe(const std::string &text)
 {
     return jsonBytes({{"import", {{"exclude", nlohmann::json::array()}}},
+        {"uncertainty", {{"monte_carlo_trials", 100}}},
         {"certificate",
             {{"fields",
                 {{"customer", text}, {"remarks", text + "\nsecond line"}, {"number", text},

@@ -3,6 +3,7 @@
 
 #include "tests/support/test_program.h"
 #include "tests/system/dyncal_process.h"
+#include "tests/system/quick_recipe.h"
 
 #include <QJsonArray>
 #include <QTemporaryDir>
@@ -169,9 +170,10 @@ private slots:
             = runDyncal(QStringList{"import"} + tables + QStringList{"-o", capture});
         QVERIFY2(imported.exitCode <= 1, imported.err);
         QVERIFY2(imported.out.contains("3 shots from 3 files"), imported.out);
-        const Answer direct
-            = runDyncal(QStringList{"run"} + tables + QStringList{"-o", path("direct")});
-        const Answer indirect = runDyncal({"run", capture, "-o", path("indirect")});
+        const Answer direct = runDyncal(
+            QStringList{"run"} + tables + quickly() + QStringList{"-o", path("direct")});
+        const Answer indirect
+            = runDyncal(QStringList{"run", capture, "-o", path("indirect")} + quickly());
         QVERIFY2(direct.exitCode <= 1, direct.err);
         QVERIFY2(indirect.exitCode <= 1, indirect.err);
         const QJsonObject a = fileJson(path("direct") + "/results.json");
@@ -200,7 +202,8 @@ private slots:
         QCOMPARE(channel["role"].toString(), QString("dut"));
         QCOMPARE(channel["type"].toString(), QString("float64"));
         QCOMPARE(channel["samples"].toInt(), 6000);
-        QVERIFY(runDyncal({"run", capture, "-o", path("psi")}).exitCode <= 1);
+        QVERIFY(
+            runDyncal(QStringList{"run", capture, "-o", path("psi")} + quickly()).exitCode <= 1);
         const double step = fileJson(path("psi") + "/results.json")["shots"][0]["step"].toDouble();
         QVERIFY2(std::abs(step / 0.5357e6 - 1.0) < 1e-3, QByteArray::number(step)); // 77.7 psi
     }

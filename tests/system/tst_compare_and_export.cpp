@@ -3,6 +3,7 @@
 
 #include "tests/support/test_program.h"
 #include "tests/system/dyncal_process.h"
+#include "tests/system/quick_recipe.h"
 
 #include <QCryptographicHash>
 #include <QDir>
@@ -65,7 +66,8 @@ private slots:
 
     void compare_everyOrder_isThatOfARun()
     {
-        const Answer answer = runDyncal({"compare", m_capture, "--orders", "2,3,50", "--json"});
+        const Answer answer = runDyncal(
+            QStringList{"compare", m_capture, "--orders", "2,3,50", "--json"} + quickly());
         QVERIFY2(answer.exitCode == 0 || answer.exitCode == 1, answer.err);
         const QJsonObject compared = answer.json();
         QCOMPARE(compared["schema"].toString(), QString("dyncal-compare/1"));
@@ -73,7 +75,8 @@ private slots:
         for (const QJsonValue &one : compared["orders"].toArray()) {
             const QString order = QString::number(one["order"].toInt());
             const QString out = path("run-" + order);
-            const Answer run = runDyncal({"run", m_capture, "--order", order, "-o", out});
+            const Answer run
+                = runDyncal(QStringList{"run", m_capture, "--order", order, "-o", out} + quickly());
             QVERIFY2(run.exitCode <= 2, run.err);
             const QJsonObject results = fileJson(out + "/results.json");
             QVERIFY(isSame(one["fit_percent"], results["model"]["fit_percent"]));
@@ -92,7 +95,8 @@ private slots:
 
     void compare_table_hasALinePerOrder()
     {
-        const Answer answer = runDyncal({"compare", m_capture, "--orders", "2,3,100"});
+        const Answer answer
+            = runDyncal(QStringList{"compare", m_capture, "--orders", "2,3,100"} + quickly());
         const QList<QByteArray> lines = answer.out.trimmed().split('\n');
         QCOMPARE(lines.size(), 5); // heading, three orders, the suggestion's reason
         QVERIFY(lines[0].contains("attainable") && lines[0].contains("whiteness p"));
@@ -106,7 +110,8 @@ private slots:
     {
         QVERIFY(writeBytes(path("recipe.json"),
             R"({"realization": {"candidates": [5],
-                "candidate_notes": [{"order": 5, "note": "odd one"}]}})"));
+                "candidate_notes": [{"order": 5, "note": "odd one"}]},
+                "uncertainty": {"monte_carlo_trials": 100}})"));
         const Answer answer
             = runDyncal({"compare", m_capture, "--recipe", path("recipe.json"), "--json"});
         QList<int> orders;
@@ -150,10 +155,11 @@ private slots:
     void export_givesTheFilesOfARun()
     {
         const QString out = path("exported");
-        const Answer answer = runDyncal({"export", m_capture, "--order", "3", "-o", out});
+        const Answer answer
+            = runDyncal(QStringList{"export", m_capture, "--order", "3", "-o", out} + quickly());
         QVERIFY2(answer.exitCode <= 1, answer.err);
         const QString run = path("run-export");
-        runDyncal({"run", m_capture, "--order", "3", "-o", run});
+        runDyncal(QStringList{"run", m_capture, "--order", "3", "-o", run} + quickly());
         QStringList names = QDir(out).entryList(QDir::Files);
         QVERIFY(names.removeOne("written.json"));
         QCOMPARE(names, QDir(run + "/model").entryList(QDir::Files));
@@ -215,7 +221,8 @@ private slots:
         const QByteArray sha256
             = QCryptographicHash::hash(fileBytes(m_capture), QCryptographicHash::Sha256).toHex();
         QVERIFY(writeBytes(path("job.dyncal"),
-            R"({"format": "dyncal-project", "version": 2, "recipe": {"realization": {"order": 4}},
+            R"({"format": "dyncal-project", "version": 2, "recipe": {"realization": {"order": 4},
+                "uncertainty": {"monte_carlo_trials": 100}},
                 "captures": [{"path": "example.h5", "sha256": ")"
                 + sha256 + R"("}]})"));
         const QString out = path("of-project");
@@ -252,8 +259,9 @@ private slots:
         QVERIFY(writeBytes(changed, bytes));
         const QString out = path("of-changed-capture");
         for (const QStringList &call : {QStringList{"info", changed}, {"check", changed},
-                 {"compare", changed, "--orders", "2"}, {"run", changed, "-o", out},
-                 {"export", changed, "-o", path("model-of-changed")},
+                 QStringList{"compare", changed, "--orders", "2"} + quickly(),
+                 QStringList{"run", changed, "-o", out} + quickly(),
+                 QStringList{"export", changed, "-o", path("model-of-changed")} + quickly(),
                  {"import", changed, "-o", path("washed.h5")}}) {
             const Answer answer = runDyncal(call);
             QVERIFY2(answer.exitCode == 2, call[0].toLatin1() + ": " + answer.err);
@@ -281,7 +289,10 @@ private slots:
     void export_someFormats_andWrongOnes()
     {
         const QString out = path("some");
-        QVERIFY(runDyncal({"export", m_capture, "--format", "json,m", "-o", out}).exitCode <= 1);
+        QVERIFY(
+            runDyncal(QStringList{"export", m_capture, "--format", "json,m", "-o", out} + quickly())
+                .exitCode
+            <= 1);
         QCOMPARE(QDir(out).entryList(QDir::Files),
             QStringList({"model.json", "model.m", "written.json"}));
         QCOMPARE(runDyncal({"export", m_capture, "--format", "xls", "-o", out}).exitCode, 4);
@@ -293,7 +304,8 @@ private slots:
     void run_tellsWhyThisOrder()
     {
         QVERIFY(writeBytes(path("reason.json"),
-            R"({"realization": {"order": 2, "adopted_reason": "lowest that fits"}})"));
+            R"({"realization": {"order": 2, "adopted_reason": "lowest that fits"},
+                "uncertainty": {"monte_carlo_trials": 100}})"));
         const QString out = path("why");
         runDyncal({"run", m_capture, "--recipe", path("reason.json"), "-o", out});
         const QJsonValue section = fileJson(out + "/results.json")["realization"];

@@ -3,6 +3,7 @@
 
 #include "tests/support/test_program.h"
 #include "tests/system/dyncal_process.h"
+#include "tests/system/quick_recipe.h"
 
 #include <QDir>
 #include <QJsonArray>
@@ -59,7 +60,9 @@ private slots:
         QCOMPARE(
             runDyncal({"simulate", "-o", path("calibration.h5"), "--duration-s", "0.004"}).exitCode,
             0);
-        QVERIFY(runDyncal({"run", path("calibration.h5"), "-o", path("run")}).exitCode <= 1);
+        QVERIFY(runDyncal(QStringList{"run", path("calibration.h5"), "-o", path("run")} + quickly())
+                    .exitCode
+            <= 1);
         QVERIFY(writeBytes(path("pulse.csv"), pulseCsv(2.33e6, 0.02, 5e-6, 2e5, 400e-6)));
         QVERIFY(writeBytes(
             path("pulse.json"), R"({"import": {"columns": {"time": 0, "dut": 1}, "unit": "V"}})"));
@@ -101,7 +104,9 @@ private slots:
     {
         QVERIFY(correct({"--band", "1e6"}, "run").exitCode <= 1);
         QVERIFY(QFile::exists(path("run/results.json")) && QFile::exists(path("run/filter.mat")));
-        QVERIFY(runDyncal({"run", path("calibration.h5"), "-o", path("run")}).exitCode <= 1);
+        QVERIFY(runDyncal(QStringList{"run", path("calibration.h5"), "-o", path("run")} + quickly())
+                    .exitCode
+            <= 1);
         QVERIFY(QFile::exists(path("run/filter.mat")));
     }
 

@@ -5,6 +5,7 @@
 #include "tests/support/scratch_folder.h"
 #include "tests/support/test_program.h"
 #include "tests/support/trial_count.h"
+#include "tests/system/quick_recipe.h"
 #include "tests/system/short_capture.h"
 
 #include <filesystem>
@@ -51,8 +52,8 @@ private slots:
         QTest::addColumn<QStringList>("verb");
         QTest::addColumn<bool>("ofCapture");
         QTest::addColumn<int>("shortStep");
-        QTest::newRow("run") << QStringList{"run"} << true << 23;
-        QTest::newRow("export") << QStringList{"export"} << true << 5;
+        QTest::newRow("run") << QStringList{"run"} + quickly() << true << 23;
+        QTest::newRow("export") << QStringList{"export"} + quickly() << true << 5;
         QTest::newRow("import") << QStringList{"import", "--replace"} << true << 7;
         QTest::newRow("simulate") << QStringList{"simulate", "--replace", "--preset", "piezo",
             "--duration-s", "0.003", "--shots", "low"}

@@ -117,7 +117,7 @@ void TestIssue::everyObstacle_isNamed_data()
         QJsonObject entry = budget[place].toObject();
         entry[key] = value;
         budget[place] = entry;
-        recipe["uncertainty"] = QJsonObject{{"budget", budget}};
+        recipe["uncertainty"] = QJsonObject{{"budget", budget}, {"monte_carlo_trials", 1000}};
         return recipe;
     };
     QTest::newRow("empty field") << "CER-001" << with("customer_address", {});
@@ -308,11 +308,14 @@ void TestIssue::damage_isFound_data()
 void TestIssue::damage_isFound()
 {
     QFETCH(QString, file);
-    const IssuedJob job;
-    QVERIFY(job.begin(recording()));
-    QCOMPARE(job.issue().exitCode, 0);
-    QVERIFY(QFile::copy(job.output() + "/1/project.dyncal", job.path("copy.dyncal")));
+    static const IssuedJob job;
+    if (!QFile::exists(job.path("copy.dyncal"))) {
+        QVERIFY(job.begin(recording()));
+        QCOMPARE(job.issue().exitCode, 0);
+        QVERIFY(QFile::copy(job.output() + "/1/project.dyncal", job.path("copy.dyncal")));
+    }
     const QByteArray whole = fileBytes(job.path(file));
+    const auto mended = qScopeGuard([&] { writeBytes(job.path(file), whole); });
     std::mt19937_64 random(static_cast<std::uint64_t>(whole.size()));
     for (int i = 0; i < dyncal::trials::count(3, 110); ++i) {
         QByteArray bytes = whole;

@@ -4,6 +4,7 @@
 #include "tests/support/test_program.h"
 #include "tests/support/trial_count.h"
 #include "tests/system/dyncal_process.h"
+#include "tests/system/quick_recipe.h"
 #include "tests/system/window_process.h"
 
 #include <QDir>
@@ -33,7 +34,6 @@ private:
 
     QString capture() const { return path("shot.h5"); }
     QString table() const { return path("shot.csv"); }
-    QString quick() const { return path("quick.json"); } ///< the Monte Carlo takes longest
 
     /// One sentence about memory.
     static bool saysMemory(const QByteArray &err)
@@ -170,7 +170,6 @@ private slots:
                 + QByteArray::number(clean + 0.002 * std::sin(12.9898 * i * i), 'f', 9) + '\n';
         }
         QVERIFY(writeBytes(table(), text));
-        QVERIFY(writeBytes(quick(), R"({"uncertainty": {"monte_carlo_trials": 100}})"));
         m_lowest_MiB = smallest_MiB(1, answersItsVersion);
         qInfo("--version starts from %d MiB on", int(m_lowest_MiB));
     }
@@ -182,8 +181,8 @@ private slots:
         const auto row = [this](const char *name, const QStringList &arguments, const char *out) {
             QTest::newRow(name) << arguments << path(out);
         };
-        row("run of a capture", {"run", capture(), "--recipe", quick(), "--order", "2"}, "out");
-        row("run of a table", {"run", table(), "--recipe", quick(), "--order", "2"}, "out");
+        row("run of a capture", QStringList{"run", capture(), "--order", "2"} + quickly(), "out");
+        row("run of a table", QStringList{"run", table(), "--order", "2"} + quickly(), "out");
         row("import of a capture", {"import", capture()}, "copy.h5");
         row("import of a table", {"import", table()}, "table.h5");
     }
@@ -222,7 +221,7 @@ private slots:
             return window.ask("title").contains("Dyncal");
         });
         qInfo("an empty window opens from %d MiB on", int(empty));
-        const bool isDone = forEachLimit(empty, 40, [&](std::uint64_t limit) {
+        const bool isDone = forEachLimit(empty, 80, [&](std::uint64_t limit) {
             const QString said = exportAt(limit);
             m_what = QByteArray::number(int(limit)) + " MiB: " + said.toUtf8();
             if (said.startsWith("Written"))
@@ -232,12 +231,14 @@ private slots:
         QVERIFY2(isDone, m_what);
     }
 
-    /// The system gives the window only so many threads, all from 0 on until it has done its work.
+    /// The system gives the window only so many threads, from 0 on until it has done its work; the
+    /// long form leaves none out.
     void window_fewThreads()
     {
         QVERIFY(QFile::exists(qEnvironmentVariable("DYNCAL_FEW_THREADS")));
         int refused = 0, done = 0;
-        for (int threads = 0; done < 2; ++threads) {
+        const int step = dyncal::trials::count(9, 1);
+        for (int threads = 0; done < 2; threads += step) {
             WindowProcess window(path("home"), {capture()}, 0,
                 {"ASAN_OPTIONS=detect_leaks=0:verify_asan_link_order=0", // where it is so built
                     "LD_PRELOAD=" + qEnvironmentVariable("DYNCAL_FEW_THREADS"),

@@ -3,6 +3,7 @@
 
 #include "tests/support/test_program.h"
 #include "tests/system/dyncal_process.h"
+#include "tests/system/quick_recipe.h"
 
 #include <QDir>
 #include <QDirIterator>
@@ -72,8 +73,9 @@ private slots:
         const QString table = writeTable();
         const auto filesOf = [&](const QString &zone) {
             const QString folder = path("zone " + QString(zone).replace('/', '-'));
-            const Answer answer = runDyncal({"run", table, "--order", "4", "-o", folder},
-                {"TZ=" + zone, "SOURCE_DATE_EPOCH=1767225600"});
+            const Answer answer
+                = runDyncal(QStringList{"run", table, "--order", "4", "-o", folder} + quickly(),
+                    {"TZ=" + zone, "SOURCE_DATE_EPOCH=1767225600"});
             QMap<QString, QByteArray> files;
             QDirIterator entry(folder, QDir::Files, QDirIterator::Subdirectories);
             while (answer.exitCode <= 1 && entry.hasNext()) {
@@ -111,9 +113,11 @@ private slots:
         QCOMPARE(one, QByteArray("1,0")); // else the locale is not in force and nothing is tested
 
         const QString table = writeTable();
-        const Answer there = runDyncal({"run", table, "-o", path(locale)}, environment);
-        const Answer here = runDyncal({"run", table, "-o", path(locale + "-C")},
-            {"LC_ALL=C", "LANG=C", "SOURCE_DATE_EPOCH=1767225600"});
+        const Answer there
+            = runDyncal(QStringList{"run", table, "-o", path(locale)} + quickly(), environment);
+        const Answer here
+            = runDyncal(QStringList{"run", table, "-o", path(locale + "-C")} + quickly(),
+                {"LC_ALL=C", "LANG=C", "SOURCE_DATE_EPOCH=1767225600"});
         QVERIFY2(here.exitCode == 0 || here.exitCode == 1, here.err);
         QCOMPARE(there.exitCode, here.exitCode);
         const QByteArray results = fileBytes(path(locale) + "/results.json");

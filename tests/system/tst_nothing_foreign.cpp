@@ -7,6 +7,7 @@
 #include "tests/support/test_program.h"
 #include "tests/system/dyncal_process.h"
 #include "tests/system/own_files.h"
+#include "tests/system/quick_recipe.h"
 #include "tests/system/random_layout.h"
 #include "tests/system/short_capture.h"
 
@@ -59,9 +60,9 @@ Call randomCall(RandomLayout &layout, const fs::path &root)
     case 1:
         return {{"import", recording, "-o", file}, root / name};
     case 2:
-        return {{"export", recording, "-o", into}, root / folder};
+        return {QStringList{"export", recording, "-o", into} + quickly(), root / folder};
     default:
-        return {{"run", recording, "-o", into}, root / folder};
+        return {QStringList{"run", recording, "-o", into} + quickly(), root / folder};
     }
 }
 
@@ -172,10 +173,12 @@ private slots:
         const QStringList simulate{"simulate", "--duration-s", "0.003", "--sample-rate-hz", "1e7",
             "--preset", "piezo", "--replace", "-o", text(place.file("s/s.h5")), "--seed"};
         std::vector<Killed> calls{
-            {"run", {"run", a, "-o", text(place.file("r/out"))},
-                {"run", b, "-o", text(place.file("r/out"))}, target("r/out")},
-            {"export", {"export", a, "-o", text(place.file("e/out"))},
-                {"export", b, "-o", text(place.file("e/out"))}, target("e/out")},
+            {"run", QStringList{"run", a, "-o", text(place.file("r/out"))} + quickly(),
+                QStringList{"run", b, "-o", text(place.file("r/out"))} + quickly(),
+                target("r/out")},
+            {"export", QStringList{"export", a, "-o", text(place.file("e/out"))} + quickly(),
+                QStringList{"export", b, "-o", text(place.file("e/out"))} + quickly(),
+                target("e/out")},
             {"import", {"import", a, "--replace", "-o", text(place.file("i/i.h5"))},
                 {"import", b, "--replace", "-o", text(place.file("i/i.h5"))}, target("i/i.h5")},
             {"simulate", simulate + QStringList("1"), simulate + QStringList("2"),
@@ -241,15 +244,15 @@ private slots:
         const ScratchFolder place;
         const QString a = QString::fromStdString(simulated(place, "a.h5", 1));
         const QString out = QString::fromStdString(place.file("out"));
-        QVERIFY(runDyncal({"run", a, "-o", out}, kFixedClock).exitCode <= 1);
+        QVERIFY(runDyncal(QStringList{"run", a, "-o", out} + quickly(), kFixedClock).exitCode <= 1);
         const Snapshot before = snapshotOf(place.file(""));
         for (const int blocks : {0, 1, 20, 100, 200}) {
             QProcess process;
             process.start("bash",
                 {"-c",
-                    QString("ulimit -f %1; exec \"$DYNCAL_BINARY\" run '%2' -o '%3'")
+                    QString("ulimit -f %1; exec \"$DYNCAL_BINARY\" run '%2' -o '%3' --recipe '%4'")
                         .arg(blocks)
-                        .arg(a, out)});
+                        .arg(a, out, quickly().last())});
             QVERIFY(process.waitForFinished(kLongest_ms));
             const QByteArray said = process.readAllStandardError();
             QCOMPARE(process.exitStatus(), QProcess::NormalExit);

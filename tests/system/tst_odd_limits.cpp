@@ -6,6 +6,7 @@
 
 #include "tests/support/test_program.h"
 #include "tests/system/dyncal_process.h"
+#include "tests/system/quick_recipe.h"
 #include "tests/system/short_capture.h"
 
 #include <QDir>
@@ -49,7 +50,7 @@ private slots:
     void initTestCase()
     {
         QVERIFY(simulateShortCapture(path("capture.h5"), 1));
-        QVERIFY(writeBytes(path("quick.json"), R"({"uncertainty": {"monte_carlo_trials": 100}})"));
+        QVERIFY(writeBytes(path("quick.json"), kQuickRecipe));
     }
     void cleanup() { QDir(path("out")).removeRecursively(); }
 

@@ -4,6 +4,7 @@
 #include "core/base/json_text.h"
 #include "core/recheck/method_changes.h"
 #include "tests/support/test_program.h"
+#include "tests/system/quick_recipe.h"
 #include "tests/system/short_capture.h"
 
 #include <QCryptographicHash>
@@ -99,10 +100,11 @@ private slots:
     void initTestCase()
     {
         QVERIFY(simulateShortCapture(m_simulated.filePath("shot.h5"), 7));
-        QVERIFY(
-            runDyncal(
-                {"run", m_simulated.filePath("shot.h5"), "-o", m_simulated.filePath("out")}, kEpoch)
-                .exitCode
+        QVERIFY(runDyncal(QStringList{"run", m_simulated.filePath("shot.h5"), "-o",
+                              m_simulated.filePath("out")}
+                        + quickly(),
+                    kEpoch)
+                    .exitCode
             <= 1);
     }
 
@@ -282,8 +284,9 @@ void TestRecheck::renamedRecording_isReadByItsOldName()
 {
     const Laboratory lab;
     prepare(lab);
-    QVERIFY(writeBytes(
-        lab.path("scaled.json"), R"({"import": {"files": {"shot.h5": {"polarity": -1}}}})"));
+    QVERIFY(
+        writeBytes(lab.path("scaled.json"), R"({"import": {"files": {"shot.h5": {"polarity": -1}}},
+            "uncertainty": {"monte_carlo_trials": 100}})"));
     QVERIFY(runDyncal({"run", lab.path("shot.h5"), "--recipe", lab.path("scaled.json"), "-o",
                           lab.path("out")},
                 kEpoch)
@@ -305,8 +308,10 @@ void TestRecheck::treeOfABatch_isTakenWhole()
         QVERIFY(simulateShortCapture(lab.path(QString("in/SN-%1/shot.h5").arg(i)), i));
         QVERIFY(writeBytes(lab.path(QString("in/SN-%1/notes.txt").arg(i)), "left out of it"));
     }
-    QCOMPARE(
-        runDyncal({"batch", "plan", lab.path("in"), "-o", lab.path("night.jsonl")}).exitCode, 0);
+    QCOMPARE(runDyncal(QStringList{"batch", "plan", lab.path("in"), "-o", lab.path("night.jsonl")}
+                 + quickly())
+                 .exitCode,
+        0);
     QVERIFY(runDyncal({"batch", "run", lab.path("night.jsonl")}, kEpoch).exitCode <= 1);
     const Answer answer = recheck({lab.path("night.out"), "--recordings", lab.path("in")});
     QVERIFY2(answer.exitCode == 0, answer.err);
@@ -329,7 +334,9 @@ void TestRecheck::nowBlocked_isSaid()
     QVERIFY(changeResults(lab.path("out"), [&](nlohmann::json &root) {
         root["inputs"][0]["sha256"] = sha256(lab.path("bad.h5")).toStdString();
     }));
-    QCOMPARE(runDyncal({"run", lab.path("bad.h5"), "-o", lab.path("bad")}).exitCode, 2);
+    QCOMPARE(runDyncal(QStringList{"run", lab.path("bad.h5"), "-o", lab.path("bad")} + quickly())
+                 .exitCode,
+        2);
     const Answer answer = recheck({lab.path("out")});
     QVERIFY2(answer.exitCode == 1, answer.out + answer.err);
     QVERIFY2(answer.out.contains("out: now blocked by "), answer.out);

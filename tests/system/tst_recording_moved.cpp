@@ -4,6 +4,7 @@
 #include "tests/support/test_program.h"
 #include "tests/support/trial_count.h"
 #include "tests/system/dyncal_process.h"
+#include "tests/system/quick_recipe.h"
 
 #include <QDir>
 #include <QDirIterator>
@@ -62,7 +63,7 @@ private slots:
             "--shots", "low", "--seed", "3"});
         QCOMPARE(made.exitCode, 0);
         // The Monte Carlo takes longer than all else and reads no recording.
-        QVERIFY(writeBytes(path("quick.json"), R"({"uncertainty": {"monte_carlo_trials": 100}})"));
+        QVERIFY(writeBytes(path("quick.json"), kQuickRecipe));
     }
 
     void init()

@@ -3,6 +3,7 @@
 
 #include "tests/support/test_program.h"
 #include "tests/system/issued_job.h"
+#include "tests/system/quick_recipe.h"
 
 #include <QRegularExpression>
 #include <QtTest>
@@ -45,7 +46,8 @@ private:
 
     Answer run(const QString &output, const QStringList &more = {}) const
     {
-        return runDyncal(QStringList{"run", path("shot.h5"), "-o", path(output)} + more,
+        return runDyncal(QStringList{"run", path("shot.h5"), "-o", path(output)} + more
+                + (more.contains("--recipe") ? QStringList() : quickly()),
             {"SOURCE_DATE_EPOCH=1767225600"});
     }
     void putTemplate(const QString &folder) const
@@ -126,7 +128,8 @@ void TestTemplates::ownFile_ofTheRecipe_liesBesideIt()
 {
     putTemplate("recipes");
     QVERIFY(writeBytes(path("recipes/r.json"),
-        R"({"schema": "dyncal-recipe/1", "certificate": {"template": "lab.json"}})"));
+        R"({"schema": "dyncal-recipe/1", "certificate": {"template": "lab.json"},
+            "uncertainty": {"monte_carlo_trials": 100}})"));
     QVERIFY(run("beside", {"--recipe", path("recipes/r.json")}).exitCode < 2);
     QVERIFY(pages(path("beside/certificate.pdf")).contains("Certificate of our laboratory"));
     QVERIFY(run("other", {"--recipe", path("recipes/r.json"), "--template", "short"}).exitCode < 2);

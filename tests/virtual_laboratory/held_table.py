@@ -10,12 +10,14 @@ import numpy as np
 from . import runs
 
 LONG = 500  # runs in a cell, from which the bands of the long form are judged
-ENOUGH = 20  # values; a share of fewer in one cell says nothing
+ENOUGH = 20  # values, or runs; a share of fewer in one cell says nothing
 LARGEST_EXCESS = 1.2
 
 
 def bands(name, count):
     """Shares wanted, pooled and in every cell, and the largest excess, of `count` runs in each cell."""
+    if count < ENOUGH:  # a cell alone says nothing
+        return (0.8, 1.0), (0.0, 1.0), np.inf
     if count < LONG:
         return (0.0, 1.0), (0.8, 1.0), np.inf
     return (0.94, 0.96) if name == "S(f), noise" else (0.925, 0.975), (0.92, 0.98), LARGEST_EXCESS

@@ -145,6 +145,12 @@ class Table(unittest.TestCase):
         text = held_table.table(lines_of({0: few[0], 1: [2.0] * 5}), CELLS, ["a", "b"])
         self.assertEqual(columns(text)[7], "yes |")  # five values say nothing
 
+    def test_few_runs_are_judged_all_together(self):
+        for outside, word in ((2, "yes |"), (3, "NO |")):
+            values = np.zeros((2, 6)) + 0.5
+            values[1, :outside] = 1.5
+            self.assertEqual(columns(self.table(values))[7], word)
+
     def test_unmodelled_wants_ninety_percent_pooled(self):
         values = np.zeros((2, 50)) + 0.5
         values[1, :10] = 1.5

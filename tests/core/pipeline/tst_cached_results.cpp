@@ -11,6 +11,7 @@
 #include "tests/core/project/full_recipe.h"
 #include "tests/support/simulated_example.h"
 #include "tests/support/test_program.h"
+#include "tests/support/trial_count.h"
 
 #include <nlohmann/json.hpp>
 
@@ -110,7 +111,7 @@ void TestCachedResults::initTestCase()
 }
 
 /// One key after the other gets another value; the run may take from the base recipe's results
-/// what its keys allow, and must end as without them.
+/// what its keys allow, and must end as without them. Every third key, in the long form all.
 void TestCachedResults::everyKeyOfTheRecipe_cachedIsFresh()
 {
     const Json base = Json::parse(recipeJson(m_recipe));
@@ -119,7 +120,9 @@ void TestCachedResults::everyKeyOfTheRecipe_cachedIsFresh()
     std::vector<std::string> leaves;
     addLeaves(other, "", leaves);
     int changed = 0;
-    for (const std::string &leaf : leaves) {
+    const auto step = static_cast<std::size_t>(trials::count(3, 1));
+    for (std::size_t i = 0; i < leaves.size(); i += step) {
+        const std::string &leaf = leaves[i];
         Json mixed = base;
         mixed[Json::json_pointer(leaf)] = other.at(Json::json_pointer(leaf));
         const Result<Recipe> recipe = parseRecipe(mixed.dump());
@@ -131,7 +134,7 @@ void TestCachedResults::everyKeyOfTheRecipe_cachedIsFresh()
         ++changed;
     }
     qInfo("%d keys changed one by one", changed);
-    QVERIFY(changed > 80);
+    QVERIFY(changed > trials::count(26, 80));
 }
 
 void TestCachedResults::everyPartOfTheCaptures_cachedIsFresh_data()

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "tests/support/test_program.h"
+#include "tests/support/trial_count.h"
 #include "tests/ui/shell/window_bench.h"
 #include "tests/ui/support/quick_pipeline.h"
 #include "ui/plot/widget/plot_widget.h"
@@ -172,8 +173,13 @@ void TestHandles::everyHandle_toBothEdges_blanksNothing()
     setTreatment(static_cast<ResponseTreatment>(treatment));
     const auto before = everyPage();
     const Recipe recipe = session().recipe();
+    int grips = 0;
     forEveryGrip([&](int row, PlotWidget *plot, QPoint grip) {
+        // In the suite each grip goes to one edge, in turns.
+        const bool isFirst = ++grips % 2 == 0;
         for (const bool toTheRight : {false, true}) {
+            if (trials::count(1, 2) == 1 && toTheRight != isFirst)
+                continue;
             m_bench->window->showPage(row);
             const QRect axes = plot->axesRect();
             const int x = toTheRight ? axes.right() - 1 : axes.left() + 1;
