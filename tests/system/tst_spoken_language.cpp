@@ -101,7 +101,7 @@ private slots:
         QCOMPARE(left.size(), qsizetype(2));
         for (const QJsonValue &one : left) {
             QCOMPARE(one["state"].toString(), QString("failed"));
-            QVERIFY(swedish.out.contains(one["reason"].toString().toUtf8()));
+            QVERIFY(swedish.out.contains(one["reason"].toString().first(40).toUtf8()));
         }
     }
 };
