@@ -727,6 +727,18 @@
         <source>%1 of a sensor over time, with U; %2 of %3 calibrations are conspicuous.</source>
         <translation>%1 eines Aufnehmers über der Zeit, mit U; %2 von %3 Kalibrierungen sind auffällig.</translation>
     </message>
+    <message>
+        <source>settled</source>
+        <translation>eingeschwungen</translation>
+    </message>
+    <message>
+        <source>settled and overshoot</source>
+        <translation>eingeschwungen und Überschwingen</translation>
+    </message>
+    <message>
+        <source>Model, from its own onset</source>
+        <translation>Modell, ab eigenem Einsatz</translation>
+    </message>
 </context>
 <context>
     <name>RecipeLabel</name>
@@ -1547,10 +1559,6 @@
     <message>
         <source>Responses minus model</source>
         <translation>Antworten minus Modell</translation>
-    </message>
-    <message>
-        <source>Poles and zeros of the model in the z-plane</source>
-        <translation>Pole und Nullstellen des Modells in der z-Ebene</translation>
     </message>
     <message>
         <source>Step response of the model</source>
@@ -4295,6 +4303,22 @@
     <message>
         <source>comparison.model has an uncertainty of 0, which counts as unknown; u_sensitivity, u_f0_hz and u_zeta must be stated, above 0.</source>
         <translation>comparison.model hat eine Unsicherheit von 0, was als unbekannt gilt; u_sensitivity, u_f0_hz und u_zeta müssen angegeben sein, über 0.</translation>
+    </message>
+    <message>
+        <source>Poles and zeros of the model in the z-plane; poles: %1, zeros: %2</source>
+        <translation>Pole und Nullstellen des Modells in der z-Ebene; Pole: %1, Nullstellen: %2</translation>
+    </message>
+    <message>
+        <source>Poles and zeros of the model in the z-plane; poles: %1, zeros: %2; further out than shown: %3</source>
+        <translation>Pole und Nullstellen des Modells in der z-Ebene; Pole: %1, Nullstellen: %2; weiter außen als gezeigt: %3</translation>
+    </message>
+    <message>
+        <source>Frequency response, phase; measured: from the pressure at the reference transducer, model: from the item&apos;s own onset</source>
+        <translation>Frequenzgang, Phase; gemessen: ab dem Druck am Referenzaufnehmer, Modell: ab dem eigenen Einsatz des Kalibriergegenstands</translation>
+    </message>
+    <message>
+        <source>The phase without a model counts from the pressure at the reference transducer, that of the model from the item&apos;s own onset: the two may differ in proportion to the frequency.</source>
+        <translation>Die Phase ohne Modell zählt ab dem Druck am Referenzaufnehmer, die des Modells ab dem eigenen Einsatz des Kalibriergegenstands: Beide können sich proportional zur Frequenz unterscheiden.</translation>
     </message>
 </context>
 </TS>

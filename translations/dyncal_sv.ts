@@ -2587,6 +2587,18 @@ steget</translation>
         <source>%1 of a sensor over time, with U; %2 of %3 calibrations are conspicuous.</source>
         <translation>%1 hos en givare över tid, med U; %2 av %3 kalibreringar avviker.</translation>
     </message>
+    <message>
+        <source>settled</source>
+        <translation>insvängd</translation>
+    </message>
+    <message>
+        <source>settled and overshoot</source>
+        <translation>insvängd och översväng</translation>
+    </message>
+    <message>
+        <source>Model, from its own onset</source>
+        <translation>Modell, från sin egen start</translation>
+    </message>
 </context>
 <context>
     <name>Prompts</name>
@@ -3765,6 +3777,10 @@ steget</translation>
     <message>
         <source>Least uncertainty of the laboratory (CMC)</source>
         <translation>Laboratoriets minsta osäkerhet (CMC)</translation>
+    </message>
+    <message>
+        <source>all places</source>
+        <translation>alla ställen</translation>
     </message>
 </context>
 <context>
@@ -8534,10 +8550,6 @@ steget</translation>
         <translation>Alla %1 kontroller stämmer: denna installation beräknar det som är känt.</translation>
     </message>
     <message>
-        <source>%1 of %2 checks deviate, the first in the step &quot;%3&quot; (%4: expected %5, found %6); do not calibrate with this installation before it is explained.</source>
-        <translation>%1 av %2 kontroller avviker, den första i steget &quot;%3&quot; (%4: väntat %5, funnet %6); kalibrera inte med denna installation innan det är förklarat.</translation>
-    </message>
-    <message>
         <source>The coverage study is to have %1 calibrations; it takes 0 to %2.</source>
         <translation>Täckningsstudien ska ha %1 kalibreringar; den tar 0 till %2.</translation>
     </message>
@@ -9056,10 +9068,6 @@ steget</translation>
     <message>
         <source>Power spectra of the responses</source>
         <translation>Svarens effektspektra</translation>
-    </message>
-    <message>
-        <source>Poles and zeros of the model in the z-plane</source>
-        <translation>Modellens poler och nollställen i z-planet</translation>
     </message>
     <message>
         <source>Magnitude against the reference transducer and against the pressure step, less the mean of both</source>
@@ -10364,6 +10372,118 @@ steget</translation>
     <message>
         <source>The certificate of %1 is one of a server or of a time-stamping authority (extended key usage), and not for signatures of documents; take one that is.</source>
         <translation>Certifikatet för %1 är ett för en server eller en tidsstämplingstjänst (utökad nyckelanvändning) och inte för signaturer på dokument; ta ett som är det.</translation>
+    </message>
+    <message>
+        <source>how far the result moves when all data change by a part in 10^12.</source>
+        <translation>hur långt resultatet flyttar sig när alla data ändras med en del på 10^12.</translation>
+    </message>
+    <message>
+        <source>Poles and zeros of the model in the z-plane; poles: %1, zeros: %2</source>
+        <translation>Modellens poler och nollställen i z-planet; poler: %1, nollställen: %2</translation>
+    </message>
+    <message>
+        <source>Poles and zeros of the model in the z-plane; poles: %1, zeros: %2; further out than shown: %3</source>
+        <translation>Modellens poler och nollställen i z-planet; poler: %1, nollställen: %2; utanför det visade området: %3</translation>
+    </message>
+    <message>
+        <source>Frequency response, phase; measured: from the pressure at the reference transducer, model: from the item&apos;s own onset</source>
+        <translation>Frekvenssvar, fas; mätt: från trycket vid referensgivaren, modell: från objektets egen start</translation>
+    </message>
+    <message>
+        <source>The phase without a model counts from the pressure at the reference transducer, that of the model from the item&apos;s own onset: the two may differ in proportion to the frequency.</source>
+        <translation>Fasen utan modell räknas från trycket vid referensgivaren, modellens från objektets egen start: de två kan skilja sig i proportion till frekvensen.</translation>
+    </message>
+    <message>
+        <source>%1 of %2 checks deviate, the first in the step &quot;%M1&quot; (%M2: expected %3, found %4); do not calibrate with this installation before it is explained.</source>
+        <translation>%1 av %2 kontroller avviker, den första i steget &quot;%M1&quot; (%M2: väntat %3, funnet %4); kalibrera inte med denna installation innan det är förklarat.</translation>
+    </message>
+    <message>
+        <source>captures</source>
+        <translation>registreringar</translation>
+    </message>
+    <message>
+        <source>expected shock</source>
+        <translation>väntad stötvåg</translation>
+    </message>
+    <message>
+        <source>window</source>
+        <translation>fönster</translation>
+    </message>
+    <message>
+        <source>spectrum</source>
+        <translation>spektrum</translation>
+    </message>
+    <message>
+        <source>components</source>
+        <translation>komponenter</translation>
+    </message>
+    <message>
+        <source>model input</source>
+        <translation>modellens indata</translation>
+    </message>
+    <message>
+        <source>decomposition</source>
+        <translation>uppdelning</translation>
+    </message>
+    <message>
+        <source>model</source>
+        <translation>modell</translation>
+    </message>
+    <message>
+        <source>shock</source>
+        <translation>stötvåg</translation>
+    </message>
+    <message>
+        <source>reference transducer</source>
+        <translation>referensgivare</translation>
+    </message>
+    <message>
+        <source>response</source>
+        <translation>svar</translation>
+    </message>
+    <message>
+        <source>checks</source>
+        <translation>kontroller</translation>
+    </message>
+    <message>
+        <source>model assessment</source>
+        <translation>bedömning av modellen</translation>
+    </message>
+    <message>
+        <source>uncertainty</source>
+        <translation>osäkerhet</translation>
+    </message>
+    <message>
+        <source>comparison</source>
+        <translation>jämförelse</translation>
+    </message>
+    <message>
+        <source>evidence</source>
+        <translation>underlag för ordningen</translation>
+    </message>
+    <message>
+        <source>Monte Carlo</source>
+        <translation>Monte Carlo</translation>
+    </message>
+    <message>
+        <source>Monte Carlo of the chain</source>
+        <translation>Monte Carlo för hela kedjan</translation>
+    </message>
+    <message>
+        <source>reading</source>
+        <translation>läsning</translation>
+    </message>
+    <message>
+        <source>correction</source>
+        <translation>korrektion</translation>
+    </message>
+    <message>
+        <source>certificate</source>
+        <translation>bevis</translation>
+    </message>
+    <message>
+        <source>coverage</source>
+        <translation>täckning</translation>
     </message>
 </context>
 <context>
@@ -15156,6 +15276,89 @@ steget</translation>
     <message>
         <source>Or drop recordings, a folder or a project here.</source>
         <translation>Eller släpp registreringar, en mapp eller ett projekt här.</translation>
+    </message>
+</context>
+<context>
+    <name>dyncal::StatedPanel</name>
+    <message>
+        <source>%1: u = %2</source>
+        <translation>%1: u = %2</translation>
+    </message>
+    <message>
+        <source>%1, certificate %2</source>
+        <translation>%1, certifikat %2</translation>
+    </message>
+    <message>
+        <source>%1, due %2</source>
+        <translation>%1, gäller till %2</translation>
+    </message>
+    <message>
+        <source>Stated u and their references</source>
+        <translation>Angivna u och deras referenser</translation>
+    </message>
+    <message>
+        <source>Stated u of the budget</source>
+        <translation>Budgetens angivna u</translation>
+    </message>
+    <message>
+        <source>Add a stated u</source>
+        <translation>Lägg till ett angivet u</translation>
+    </message>
+    <message>
+        <source>Change a stated u</source>
+        <translation>Ändra ett angivet u</translation>
+    </message>
+    <message>
+        <source>Remove a stated u</source>
+        <translation>Ta bort ett angivet u</translation>
+    </message>
+    <message>
+        <source>Input</source>
+        <translation>Ingång</translation>
+    </message>
+    <message>
+        <source>The input of the budget that this u is of</source>
+        <translation>Budgetens ingång som detta u gäller</translation>
+    </message>
+    <message>
+        <source>Standard uncertainty u</source>
+        <translation>Standardosäkerhet u</translation>
+    </message>
+    <message>
+        <source>needed</source>
+        <translation>behövs</translation>
+    </message>
+    <message>
+        <source>Distribution</source>
+        <translation>Fördelning</translation>
+    </message>
+    <message>
+        <source>The shape that the Monte Carlo draws from</source>
+        <translation>Formen som Monte Carlo drar ur</translation>
+    </message>
+    <message>
+        <source>Degrees of freedom</source>
+        <translation>Frihetsgrader</translation>
+    </message>
+    <message>
+        <source>Certificate of the reference</source>
+        <translation>Referensens certifikat</translation>
+    </message>
+    <message>
+        <source>Number of the certificate that this u is taken from; it makes the result traceable</source>
+        <translation>Numret på certifikatet som detta u är hämtat ur; det gör resultatet spårbart</translation>
+    </message>
+    <message>
+        <source>Due date of the reference</source>
+        <translation>Referensen gäller till</translation>
+    </message>
+    <message>
+        <source>The day until which the reference&apos;s calibration holds</source>
+        <translation>Dagen till vilken referensens kalibrering gäller</translation>
+    </message>
+    <message>
+        <source>YYYY-MM-DD</source>
+        <translation>ÅÅÅÅ-MM-DD</translation>
     </message>
 </context>
 <context>

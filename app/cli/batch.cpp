@@ -5,6 +5,7 @@
 #include "app/cli/batch_run.h"
 #include "app/cli/console.h"
 #include "app/cli/recipe_options.h"
+#include "app/cli/spoken.h"
 #include "app/cli/verbs.h"
 
 #include "core/base/allowed_threads.h"
@@ -16,6 +17,7 @@
 #include <filesystem>
 #include <iostream>
 #include <memory>
+#include <ranges>
 
 namespace dyncal {
 namespace {
@@ -48,13 +50,21 @@ int exitCodeOf(const BatchTally &tally)
         tally.count(Cautions) > 0 ? ExitCode::DoneWithCautions : ExitCode::Done);
 }
 
+std::vector<SensorStanding> inTheLanguageAsked(std::vector<SensorStanding> standings)
+{
+    for (SensorOutcome &record : standings | std::views::transform(&SensorStanding::record))
+        record.reason = spoken(record.said, record.reason);
+    return standings;
+}
+
 /// Sentences about sensors: those that have a reason.
 void printReasons(std::ostream &out, const std::vector<SensorStanding> &standings)
 {
     for (const SensorStanding &standing : standings)
         if (!standing.record.reason.empty())
             out << presentableInBrief(standing.id) << ": " << sensorStateName(standing.record.state)
-                << ": " << presentable(standing.record.reason) << '\n';
+                << ": " << presentable(spoken(standing.record.said, standing.record.reason))
+                << '\n';
 }
 
 int planIt(const BatchOptions &options)
@@ -72,8 +82,8 @@ int planIt(const BatchOptions &options)
     for (const PlannedSensor &sensor : *plan) {
         planned += sensor.obstacle.empty() ? 1 : 0;
         if (!sensor.obstacle.empty())
-            std::cerr << presentableInBrief(sensor.id) << ": " << presentable(sensor.obstacle)
-                      << '\n';
+            std::cerr << presentableInBrief(sensor.id) << ": "
+                      << presentable(spoken(sensor.said, sensor.obstacle)) << '\n';
     }
     std::cout << planned << " of " << plan->size() << " sensors planned\nWritten:\n  "
               << presentable(options.output) << '\n';
@@ -104,7 +114,7 @@ int showStatus(const BatchOptions &options)
         return report(plan.error());
     const std::vector<SensorStanding> standings = standingsOf(folderOfPlan(options.plan), *plan);
     if (options.json) {
-        std::cout << statusJson(standings);
+        std::cout << statusJson(inTheLanguageAsked(standings));
     } else {
         std::cout << tallyText(tallyOf(standings)) << '\n';
         printReasons(std::cout, standings);

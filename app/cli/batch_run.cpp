@@ -7,6 +7,7 @@
 #include "app/base/interrupt.h"
 #include "app/cli/batch_sensor.h"
 #include "app/cli/console.h"
+#include "app/cli/spoken.h"
 
 #include "core/base/foreign_text.h"
 #include "core/batch/batch_planning.h"
@@ -22,9 +23,9 @@ void say(const std::string &id, const std::string &sentence)
     std::cerr << presentableInBrief(id) << ": " << presentable(sentence) << '\n';
 }
 
-std::string crashReason(int signal)
+KeptMessage crashReason(int signal)
 {
-    return english(
+    return keptMessage(
         {DYNCAL_TEXT("core",
              "The process that computed it was ended by signal %1: it crashed, or the system ended it for want of memory."),
             {std::to_string(signal)}});
@@ -73,11 +74,11 @@ private:
         m_outcome.computed += answer.how == SensorAnswer::Computed ? 1 : 0;
         m_outcome.kept += answer.how == SensorAnswer::Kept ? 1 : 0;
         if (answer.how == SensorAnswer::Failed)
-            remember(keepFailure(m_run.planFolder, sensor, answer.text));
+            remember(keepFailure(m_run.planFolder, sensor, answer.said));
         else if (answer.how == SensorAnswer::Computed || answer.how == SensorAnswer::Kept)
             forgetFailure(m_run.planFolder, sensor);
-        if (answer.how != SensorAnswer::Failed && !answer.text.empty())
-            say(sensor.id, answer.text);
+        if (answer.how != SensorAnswer::Failed && !answer.said.text.empty())
+            say(sensor.id, spoken(answer.said.message()));
         if (answer.how != SensorAnswer::Stopped)
             count(sensor);
         m_progress(++m_ended);
@@ -88,7 +89,9 @@ private:
         const SensorOutcome record = recordOnDisk(m_run.planFolder, sensor);
         m_outcome.tally.add(record.state);
         if (!record.reason.empty())
-            say(sensor.id, std::string(sensorStateName(record.state)) + ": " + record.reason);
+            say(sensor.id,
+                std::string(sensorStateName(record.state)) + ": "
+                    + spoken(record.said, record.reason));
     }
 
     void remember(const Result<void> &kept)

@@ -8,6 +8,7 @@
 #include "app/cli/console.h"
 
 #include "core/base/allowed_threads.h"
+#include "core/base/json_text.h"
 #include "core/batch/planned_inputs.h"
 #include "core/batch/sensor_place.h"
 
@@ -53,11 +54,11 @@ Result<void> calibrateSensor(
         .map([](const FinishedRun &) {});
 }
 
-std::string setAsideText(const std::string &name)
+KeptMessage setAsideMessage(const std::string &name)
 {
     if (name.empty())
         return {};
-    return english(
+    return keptMessage(
         {DYNCAL_TEXT("core",
              "The results were not as they were written and are now in %1; they are computed anew."),
             {name}});
@@ -80,7 +81,7 @@ Result<SensorAnswer> broughtUpToPlan(const PlannedSensor &sensor)
     if (!done)
         return tl::unexpected<Error>(done.error());
     return SensorAnswer{
-        results ? SensorAnswer::Kept : SensorAnswer::Computed, setAsideText(*aside)};
+        results ? SensorAnswer::Kept : SensorAnswer::Computed, setAsideMessage(*aside)};
 }
 
 SensorAnswer ofError(const Error &error, const PlannedSensor &sensor)
@@ -88,9 +89,10 @@ SensorAnswer ofError(const Error &error, const PlannedSensor &sensor)
     if (error.kind == ErrorKind::Cancelled)
         return {SensorAnswer::Stopped, {}};
     if (error.kind == ErrorKind::Usage && isBeingComputed(sensor.output))
-        return {SensorAnswer::Busy, english(error.message)};
-    const std::string id = error.findingId.empty() ? std::string() : error.findingId + ": ";
-    return {SensorAnswer::Failed, id + english(error.message)};
+        return {SensorAnswer::Busy, keptMessage(error.message)};
+    return {SensorAnswer::Failed,
+        error.findingId.empty() ? keptMessage(error.message)
+                                : keptMessage({"%1: %M1", {error.findingId}, {error.message}})};
 }
 
 /// Neither progress nor findings of one among many; what failed is told by the parent.
@@ -102,7 +104,7 @@ void silence()
 
 ChildAnswer childAnswer(const SensorAnswer &answer)
 {
-    return {0, kHows[static_cast<std::size_t>(answer.how)] + answer.text};
+    return {0, kHows[static_cast<std::size_t>(answer.how)] + jsonLine(messageJson(answer.said))};
 }
 
 } // namespace
@@ -113,8 +115,9 @@ ChildAnswer computeSensor(const PlannedSensor &sensor, const std::string &planFo
     useOneThread();
     if (::chdir(planFolder.c_str()) != 0)
         return childAnswer({SensorAnswer::Failed,
-            english({DYNCAL_TEXT("core", "The folder %1 cannot be entered; check that you may."),
-                {planFolder}})});
+            keptMessage(
+                {DYNCAL_TEXT("core", "The folder %1 cannot be entered; check that you may."),
+                    {planFolder}})});
     const Result<SensorAnswer> answer = broughtUpToPlan(sensor);
     return childAnswer(answer ? *answer : ofError(answer.error(), sensor));
 }
@@ -122,12 +125,16 @@ ChildAnswer computeSensor(const PlannedSensor &sensor, const std::string &planFo
 SensorAnswer parseAnswer(const std::string &answer)
 {
     const std::size_t how = answer.empty() ? kHows.npos : kHows.find(answer.front());
-    if (how == kHows.npos)
-        return {SensorAnswer::Failed,
-            english({DYNCAL_TEXT(
-                         "core", "Its process ended without an answer (%1); run the batch again."),
+    try {
+        if (how != kHows.npos)
+            return {static_cast<SensorAnswer::How>(how),
+                messageOfJson(nlohmann::json::parse(answer.substr(1)))};
+    } catch (const nlohmann::json::exception &) { // cut off: no answer
+    }
+    return {SensorAnswer::Failed,
+        keptMessage(
+            {DYNCAL_TEXT("core", "Its process ended without an answer (%1); run the batch again."),
                 {answer}})};
-    return {static_cast<SensorAnswer::How>(how), answer.substr(1)};
 }
 
 } // namespace dyncal

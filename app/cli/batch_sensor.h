@@ -4,6 +4,7 @@
 #pragma once
 
 #include "app/base/child_jobs.h"
+#include "core/base/kept_message.h"
 #include "core/batch/batch_plan.h"
 
 #include <string>
@@ -21,7 +22,7 @@ struct SensorAnswer
         Failed,
     };
     How how = Failed;
-    std::string text; ///< Failed: the reason; else what is to be said besides
+    KeptMessage said = {}; ///< Failed: the reason; else what is to be said besides
 };
 
 /// Brings one sensor up to the plan, in a process of its own and on one thread: keeps what is

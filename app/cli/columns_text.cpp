@@ -17,6 +17,12 @@ std::size_t widthOf(const std::string &text)
 
 } // namespace
 
+std::string filledTo(std::size_t width, const std::string &text)
+{
+    const std::size_t own = widthOf(text);
+    return own < width ? text + std::string(width - own, ' ') : text;
+}
+
 std::string columnsText(const std::vector<std::vector<std::string>> &rows)
 {
     std::vector<std::size_t> widths;
@@ -28,8 +34,7 @@ std::string columnsText(const std::vector<std::vector<std::string>> &rows)
     std::string text;
     for (const auto &row : rows) {
         for (std::size_t i = 0; i < row.size(); ++i)
-            text += row[i]
-                + (i + 1 < row.size() ? std::string(widths[i] - widthOf(row[i]) + 2, ' ') : "\n");
+            text += i + 1 < row.size() ? filledTo(widths[i] + 2, row[i]) : row[i] + '\n';
     }
     return text;
 }

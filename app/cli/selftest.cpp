@@ -3,8 +3,10 @@
 
 #include "app/base/clock.h"
 #include "app/base/interrupt.h"
+#include "app/cli/columns_text.h"
 #include "app/cli/console.h"
 #include "app/cli/drawing_process.h"
+#include "app/cli/spoken.h"
 #include "app/cli/verbs.h"
 
 #include "core/base/foreign_text.h"
@@ -37,11 +39,13 @@ Result<SelfTestReport> testInstallation(const SelfTestOptions &options)
         {options.calibrations, {{"Qt", qVersion()}}}, {interruptToken(), progress.sink()});
 }
 
+constexpr std::size_t kWidthOfNames = 66;
+
 void printRow(const std::string &step, const std::string &name, const std::string &expected,
     const std::string &found, const std::string &tolerance, const std::string &change,
     const std::string &verdict)
 {
-    std::cout << std::left << std::setw(21) << step << std::setw(66) << name << std::right
+    std::cout << std::left << std::setw(21) << step << filledTo(kWidthOfNames, name) << std::right
               << std::setw(15) << expected << std::setw(18) << found << std::setw(10) << tolerance
               << std::setw(9) << change << "  " << verdict << '\n';
 }
@@ -50,11 +54,15 @@ void printTable(const SelfTestReport &report)
 {
     printRow("Step", "What", "Expected", "Found", "Tolerance", "1e-12", "Verdict");
     for (const SelfCheck &check : report.checks)
-        printRow(check.step, english(check.name), numberText(check.expected, 10),
+        printRow(check.step, spoken(check.name), numberText(check.expected, 10),
             numberText(check.found, 10), numberText(check.tolerance, 2),
             numberText(check.sensitivity, 2), check.holds() ? "holds" : "DEVIATES");
-    std::cout << "1e-12: how far the result moves when all data change by a part in 10^12.\n"
-              << presentable(english(report.verdict())) << '\n';
+    std::cout << "1e-12: "
+              << spoken({DYNCAL_TEXT("core",
+                             "how far the result moves when all data change by a part in 10^12."),
+                     {}})
+              << '\n'
+              << presentable(spoken(report.verdict())) << '\n';
 }
 
 /// Both files as one transaction.

@@ -33,4 +33,9 @@ std::string spoken(const Message &message)
     return filledWords(message, translate, mark, ArgumentText::Brief).toStdString();
 }
 
+std::string spoken(const KeptMessage &message, const std::string &otherwise)
+{
+    return message.text.empty() ? otherwise : spoken(message.message());
+}
+
 } // namespace dyncal

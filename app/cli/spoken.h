@@ -3,7 +3,7 @@
 
 #pragma once
 
-#include "core/base/message.h"
+#include "core/base/kept_message.h"
 
 #include <string>
 
@@ -13,5 +13,8 @@ namespace dyncal {
 /// variable DYNCAL_LANGUAGE ("sv"), numbers with its decimal mark; else in English. What is
 /// written to files stays in English (english()).
 std::string spoken(const Message &message);
+
+/// One that was kept; `otherwise` where there is none.
+std::string spoken(const KeptMessage &message, const std::string &otherwise);
 
 } // namespace dyncal

@@ -77,7 +77,7 @@ PlannedSensor sensorOf(const Json &line)
     PlannedSensor sensor{memberText(line, "id"), memberText(line, "source"), {},
         memberText(line, "recipe"), memberText(line, "profile"), memberText(line, "recipe_sha256"),
         line.value("methods", MethodVersions()), memberText(line, "output"),
-        memberText(line, "not_planned")};
+        memberText(line, "not_planned"), messageOfJson(line.value("message", Json()))};
     for (const Json &input : line.value("inputs", Json::array()))
         sensor.inputs.push_back(inputOf(input));
     return sensor;
@@ -174,6 +174,8 @@ std::string planLine(const PlannedSensor &sensor)
         {"methods", sensor.methods}, {"output", sensor.output}};
     if (!sensor.obstacle.empty())
         line["not_planned"] = sensor.obstacle;
+    if (!sensor.said.text.empty())
+        line["message"] = messageJson(sensor.said);
     return jsonLine(line);
 }
 

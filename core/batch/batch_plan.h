@@ -3,6 +3,7 @@
 
 #pragma once
 
+#include "core/base/kept_message.h"
 #include "core/base/result.h"
 #include "core/project/recipe.h"
 #include "core/results/method_versions.h"
@@ -37,6 +38,7 @@ struct PlannedSensor
     MethodVersions methods;
     std::string output; ///< folder of the sensor's own
     std::string obstacle; ///< why it cannot be calibrated; inputs and hashes are then missing
+    KeptMessage said = {}; ///< the obstacle as it can be translated
 
     bool operator==(const PlannedSensor &) const = default;
 };

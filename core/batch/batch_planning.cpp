@@ -61,22 +61,31 @@ public:
     PlannedSensor plan(const FoundSensor &found) const
     {
         PlannedSensor sensor{found.id, fromPlan(found.source, m_request.plan), {}, {}, {}, {}, {},
-            m_outputs + '/' + sensorFolderName(found.id), found.obstacle};
+            m_outputs + '/' + sensorFolderName(found.id), {}};
+        if (found.obstacle)
+            state(*found.obstacle, sensor);
         if (sensor.obstacle.empty())
             takeRecipe(found.recipe, sensor);
         if (sensor.obstacle.empty())
             takeFiles(found.files, sensor);
         if (!sensor.obstacle.empty()) // half of a key is none
-            return {sensor.id, sensor.source, {}, {}, {}, {}, {}, sensor.output, sensor.obstacle};
+            return {sensor.id, sensor.source, {}, {}, {}, {}, {}, sensor.output, sensor.obstacle,
+                sensor.said};
         return sensor;
     }
 
 private:
+    static void state(const Message &obstacle, PlannedSensor &sensor)
+    {
+        sensor.obstacle = english(obstacle);
+        sensor.said = keptMessage(obstacle);
+    }
+
     void takeRecipe(const std::string &own, PlannedSensor &sensor) const
     {
         const Result<std::string> hash = own.empty() ? m_commonHash : plannedHash(own, m_request);
         if (!hash) {
-            sensor.obstacle = english(hash.error().message);
+            state(hash.error().message, sensor);
             return;
         }
         sensor.recipe = fromPlan(own.empty() ? m_request.recipe : own, m_request.plan);
@@ -92,9 +101,9 @@ private:
             const std::uintmax_t bytes = fs::file_size(file, unknown);
             std::string hash = sha256OfFile(file);
             if (hash.empty()) {
-                sensor.obstacle = english(
-                    {DYNCAL_TEXT("core", "%1 cannot be read; check that you may read it."),
-                        {fs::path(file).filename().string()}});
+                state({DYNCAL_TEXT("core", "%1 cannot be read; check that you may read it."),
+                          {fs::path(file).filename().string()}},
+                    sensor);
                 return;
             }
             sensor.inputs.push_back({fs::path(file).filename().string(), std::move(hash), bytes});

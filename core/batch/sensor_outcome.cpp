@@ -149,7 +149,7 @@ SensorOutcome readRecord(const RecordJson &json)
 {
     return {json.at("key"), stateNamed(json.at("state")), json.at("reason"),
         listOf(json, "results", readResult), listOf(json, "findings", readMark),
-        listOf(json, "inputs", readStamp)};
+        listOf(json, "inputs", readStamp), messageOfJson(json.value("message", RecordJson()))};
 }
 
 } // namespace
@@ -167,6 +167,7 @@ SensorOutcome recordOf(const PipelineOutcome &outcome, const std::string &key)
         record.findings.push_back({finding.id, finding.severity, finding.shot});
     if (const std::optional<Error> obstacle = publicationObstacle(outcome)) {
         record.reason = english(obstacle->message);
+        record.said = keptMessage(obstacle->message);
         return record;
     }
     record.state = stateOfFindings(findings);
@@ -176,10 +177,13 @@ SensorOutcome recordOf(const PipelineOutcome &outcome, const std::string &key)
 
 std::string recordText(const SensorOutcome &record)
 {
-    return jsonText(RecordJson{{"schema", kRecordSchema}, {"key", record.key},
+    RecordJson json{{"schema", kRecordSchema}, {"key", record.key},
         {"state", sensorStateName(record.state)}, {"reason", record.reason},
         {"results", resultsJson(record)}, {"findings", marksJson(record)},
-        {"inputs", stampsJson(record)}});
+        {"inputs", stampsJson(record)}};
+    if (!record.said.text.empty())
+        json["message"] = messageJson(record.said);
+    return jsonText(json);
 }
 
 std::optional<SensorOutcome> parseRecord(std::string_view text)

@@ -4,6 +4,7 @@
 #pragma once
 
 #include "core/base/finding.h"
+#include "core/base/kept_message.h"
 #include "core/capture/capture_set.h"
 #include "core/pipeline/pipeline.h"
 
@@ -69,6 +70,7 @@ struct SensorOutcome
     std::vector<StatedResult> results; ///< none of what may not be published
     std::vector<FindingMark> findings; ///< in the order of results.json
     std::vector<InputStamp> stamps; ///< of the planned files, in their order
+    KeptMessage said = {}; ///< the reason as it can be translated; none in older records
 
     bool operator==(const SensorOutcome &) const = default;
 };

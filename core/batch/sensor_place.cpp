@@ -98,7 +98,7 @@ std::string pathOfPlan(const std::string &planFolder, const std::string &path)
 SensorOutcome recordOnDisk(const std::string &planFolder, const PlannedSensor &sensor)
 {
     if (!sensor.obstacle.empty())
-        return {{}, SensorState::Failed, sensor.obstacle, {}, {}, {}};
+        return {{}, SensorState::Failed, sensor.obstacle, {}, {}, {}, sensor.said};
     const std::string key = sensorKey(sensor);
     const FileDescriptor output = openedFolder(pathOfPlan(planFolder, sensor.output));
     for (const std::string &name : {std::string(kFailureRecord), recordOfResults()})
@@ -132,12 +132,13 @@ bool isBeingComputed(const std::string &outputFolder)
 }
 
 Result<void> keepFailure(
-    const std::string &planFolder, const PlannedSensor &sensor, const std::string &reason)
+    const std::string &planFolder, const PlannedSensor &sensor, const KeptMessage &reason)
 {
     const std::string folder = pathOfPlan(planFolder, sensor.output);
     std::error_code ignored; // the write says what is wrong
     fs::create_directories(folder, ignored);
-    const SensorOutcome record{sensorKey(sensor), SensorState::Failed, reason, {}, {}, {}};
+    const SensorOutcome record{
+        sensorKey(sensor), SensorState::Failed, english(reason.message()), {}, {}, {}, reason};
     return writeFileAtomically((fs::path(folder) / kFailureRecord).string(), recordText(record));
 }
 

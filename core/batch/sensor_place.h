@@ -32,7 +32,7 @@ std::optional<SensorOutcome> plannedResults(
 /// Keeps that the sensor failed; what there is of earlier results stays. Fails as
 /// writeFileAtomically.
 Result<void> keepFailure(
-    const std::string &planFolder, const PlannedSensor &sensor, const std::string &reason);
+    const std::string &planFolder, const PlannedSensor &sensor, const KeptMessage &reason);
 
 /// Removes what keepFailure() left, if it did.
 void forgetFailure(const std::string &planFolder, const PlannedSensor &sensor);

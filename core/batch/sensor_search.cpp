@@ -24,35 +24,34 @@ bool isRecording(const std::string &path)
     return formatOf(path, ImportSettings()).has_value();
 }
 
-std::string noRecording()
+Message noRecording()
 {
-    return english(
-        {DYNCAL_TEXT("core",
-             "The folder holds files but no recording; readable are: %1. Put recordings there, or move it out of what is planned."),
-            {readableFormatsText()}});
+    return {
+        DYNCAL_TEXT("core",
+            "The folder holds files but no recording; readable are: %1. Put recordings there, or move it out of what is planned."),
+        {readableFormatsText()}};
 }
 
-std::string isLink()
+Message isLink()
 {
-    return english(
-        {DYNCAL_TEXT("core",
-             "This is a link to a folder, which is not followed; plan the folder that it leads to."),
-            {}});
+    return {
+        DYNCAL_TEXT("core",
+            "This is a link to a folder, which is not followed; plan the folder that it leads to."),
+        {}};
 }
 
-std::string isInRoot()
+Message isInRoot()
 {
-    return english(
-        {DYNCAL_TEXT("core",
-             "Recordings lie directly in the folder that is planned and belong to no sensor; put them into a folder of their own, or give --each-file."),
-            {}});
+    return {
+        DYNCAL_TEXT("core",
+            "Recordings lie directly in the folder that is planned and belong to no sensor; put them into a folder of their own, or give --each-file."),
+        {}};
 }
 
-std::string badName()
+Message badName()
 {
-    return english(
-        {DYNCAL_TEXT("core", "The name is no valid UTF-8, so no plan can hold it; rename it."),
-            {}});
+    return {
+        DYNCAL_TEXT("core", "The name is no valid UTF-8, so no plan can hold it; rename it."), {}};
 }
 
 /// Walks through the folders and collects what it finds.
@@ -95,7 +94,7 @@ private:
     {
         const Result<std::vector<std::string>> listed = filesOfFolder(folder);
         if (!listed)
-            return add({{}, folder, {}, {}, english(listed.error().message)});
+            return add({{}, folder, {}, {}, listed.error().message});
         const bool hasOther = std::ranges::any_of(
             *listed, [this](const std::string &file) { return !isSetting(file); });
         if (hasOther && m_search.eachFile)
@@ -109,9 +108,8 @@ private:
         for (const std::string &file : files)
             if (!isSetting(file) && isRecording(file))
                 add({{}, file, {file},
-                    existing(
-                        fs::path(file).replace_extension("").string() + std::string(kRecipeOfFile)),
-                    {}});
+                    existing(fs::path(file).replace_extension("").string()
+                        + std::string(kRecipeOfFile))});
     }
 
     void addSensor(const std::string &folder, const std::vector<std::string> &files)
@@ -121,9 +119,9 @@ private:
         const bool isRoot = folder == m_search.root;
         if (isRoot && !isAny)
             return; // what else lies there is nobody's
-        FoundSensor sensor{
-            {}, folder, files, existing((fs::path(folder) / kOwnRecipe).string()), {}};
-        sensor.obstacle = !isAny ? noRecording() : isRoot ? isInRoot() : std::string();
+        FoundSensor sensor{{}, folder, files, existing((fs::path(folder) / kOwnRecipe).string())};
+        if (!isAny || isRoot)
+            sensor.obstacle = isAny ? isInRoot() : noRecording();
         add(std::move(sensor));
     }
 

@@ -5,6 +5,7 @@
 
 #include "core/base/result.h"
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -25,7 +26,7 @@ struct FoundSensor
     std::string source; ///< path, beginning with the root as given
     std::vector<std::string> files; ///< paths, in natural order
     std::string recipe; ///< path of the sensor's own recipe; empty: none
-    std::string obstacle; ///< why it cannot be planned; empty: it can
+    std::optional<Message> obstacle = {}; ///< why it cannot be planned
 };
 
 /// Looks through all folders below the root, hidden ones left out, in natural order of the ids. A

@@ -38,6 +38,8 @@ bool hasComparison(R r)
     return r.comparison && r.comparison->againstStep;
 }
 
+constexpr std::string_view kPoleZero = "pole-zero";
+
 constexpr std::array<KnownFigure, 22> kKnownFigures{{
     {"raw-dut", DYNCAL_TEXT("core", "Recordings of the item calibrated"), has<&C::captures>},
     {"raw-driven-side",
@@ -65,8 +67,7 @@ constexpr std::array<KnownFigure, 22> kKnownFigures{{
         has<&C::decomposition>},
     {"model-data", DYNCAL_TEXT("core", "Responses and model"), has<&C::model>},
     {"model-error", DYNCAL_TEXT("core", "Responses minus model"), has<&C::model>},
-    {"pole-zero", DYNCAL_TEXT("core", "Poles and zeros of the model in the z-plane"),
-        has<&C::model>},
+    {kPoleZero, "", has<&C::model>}, // poleZeroCaption()
     {"step", DYNCAL_TEXT("core", "Step response of the model"), has<&C::model>},
     {"magnitude", DYNCAL_TEXT("core", "Frequency response, magnitude"), has<&C::response>},
     {"phase", DYNCAL_TEXT("core", "Frequency response, phase"), has<&C::response>},
@@ -80,6 +81,33 @@ const KnownFigure *knownFigure(const std::string &id)
 {
     const auto found = std::ranges::find(kKnownFigures, std::string_view(id), &KnownFigure::id);
     return found == kKnownFigures.end() ? nullptr : &*found;
+}
+
+/// What the map cannot show is said in its caption.
+Message poleZeroCaption(const SensorModel &model)
+{
+    const std::vector<std::string> counts{std::to_string(model.poles.size()),
+        std::to_string(model.zeros.size()), std::to_string(countBeyondMap(model))};
+    return countBeyondMap(model) == 0
+        ? Message{DYNCAL_TEXT(
+                      "core", "Poles and zeros of the model in the z-plane; poles: %1, zeros: %2"),
+            counts}
+        : Message{
+            DYNCAL_TEXT("core",
+                "Poles and zeros of the model in the z-plane; poles: %1, zeros: %2; further out than shown: %3"),
+            counts};
+}
+
+Message captionOf(const KnownFigure &figure, R results)
+{
+    if (figure.id == kPoleZero)
+        return poleZeroCaption(*results.model);
+    if (figure.id == "phase" && results.response->isByTransducer)
+        return {
+            DYNCAL_TEXT("core",
+                "Frequency response, phase; measured: from the pressure at the reference transducer, model: from the item's own onset"),
+            {}};
+    return {figure.caption, {}};
 }
 
 /// A free decay has neither a frequency response nor a step.
@@ -100,7 +128,7 @@ CertificateSection figuresSection(const CalibrationResults &results, const Recip
     for (const std::string &id : figures) {
         const KnownFigure *figure = knownFigure(id);
         if (figure && figure->isThere(results) && !(isDecay && isOfSteps(id)))
-            section.figures.push_back({id, {figure->caption, {}}});
+            section.figures.push_back({id, captionOf(*figure, results)});
     }
     return section;
 }

@@ -329,6 +329,11 @@ void addNotes(const ResponseResult &response, std::size_t rows, CertificateSecti
             {DYNCAL_TEXT("core",
                  "The values without a model are ratios of the item's record to that of the reference transducer, times its sensitivity; outside the frequencies of its calibration there are none. Where what sampling or the end of the records may change exceeds both the uncertainty of the noise and 2 % of the magnitude, none is stated."),
                 {}});
+    if (response.isByTransducer)
+        section.notes.push_back(
+            {DYNCAL_TEXT("core",
+                 "The phase without a model counts from the pressure at the reference transducer, that of the model from the item's own onset: the two may differ in proportion to the frequency."),
+                {}});
     else
         section.notes.push_back(
             {DYNCAL_TEXT("core",

@@ -27,8 +27,9 @@ struct CertificateTemplate
     std::vector<std::string> sections
         = {"administrative", "item", "key-results", "method", "conditions", "results", "shots",
             "model", "frequency-response", "remarks", "records", "statements", "figures"};
-    std::vector<std::string> figures = {"singular-values", "model-data", "model-error", "magnitude",
-        "phase", "comparison", "spectrum", "pole-zero"}; ///< in this order, as far as they exist
+    std::vector<std::string> figures
+        = {"singular-values", "model-data", "model-error", "step", "magnitude", "phase",
+            "comparison", "spectrum", "pole-zero"}; ///< in this order, as far as they exist
     std::optional<std::vector<std::string>> quantities = {}; ///< key results; empty: all
     std::optional<std::vector<std::string>> languages = {}; ///< one or two; empty: the recipe's
     std::string logo = {}; ///< file beside the template; "" = none

@@ -16,6 +16,7 @@
 #include "core/selftest/checks_of_uncertainty.h"
 #include "core/selftest/checks_of_ways.h"
 #include "core/selftest/coverage_study.h"
+#include "core/selftest/step_words.h"
 
 #include "core/pipeline/stage_table.h"
 
@@ -90,9 +91,10 @@ Message SelfTestReport::verdict() const
             {all}};
     return {
         DYNCAL_TEXT("core",
-            "%1 of %2 checks deviate, the first in the step \"%3\" (%4: expected %5, found %6); do not calibrate with this installation before it is explained."),
-        {std::to_string(deviations()), all, first->step, english(first->name),
-            numberText(first->expected, 10), numberText(first->found, 10)}};
+            "%1 of %2 checks deviate, the first in the step \"%M1\" (%M2: expected %3, found %4); do not calibrate with this installation before it is explained."),
+        {std::to_string(deviations()), all, numberText(first->expected, 10),
+            numberText(first->found, 10)},
+        {stepWords(first->step), first->name}};
 }
 
 std::vector<CheckSpec> allChecks()

@@ -5,6 +5,7 @@
 
 #include "core/base/json_text.h"
 #include "core/base/number_text.h"
+#include "core/selftest/step_words.h"
 
 #include <cmath>
 
@@ -96,7 +97,7 @@ CertificateTable methodTable(const MethodVersions &methods)
             {{DYNCAL_TEXT("core", "Version"), {}}, true}},
         {}};
     for (const auto &[step, version] : methods)
-        table.rows.push_back({plain(step), plain(std::to_string(version))});
+        table.rows.push_back({stepWords(step), plain(std::to_string(version))});
     return table;
 }
 
@@ -112,7 +113,7 @@ std::vector<Message> rowOf(const SelfCheck &check)
 
 CertificateTable emptyCheckTable(const std::string &step)
 {
-    return {step, plain(step),
+    return {step, stepWords(step),
         {{{DYNCAL_TEXT("core", "What"), {}}}, {{DYNCAL_TEXT("core", "Known from"), {}}},
             {{DYNCAL_TEXT("core", "Expected"), {}}, true},
             {{DYNCAL_TEXT("core", "Found"), {}}, true},

@@ -71,10 +71,13 @@ std::vector<BudgetEntry> withStated(
     if (std::isfinite(line.dof) && line.dof > 0.0)
         entry.dof = line.dof;
     const auto found = std::ranges::find(budget, key, &BudgetEntry::quantity);
-    if (found == budget.end())
+    if (found == budget.end()) {
         budget.push_back(std::move(entry));
-    else
-        *found = std::move(entry);
+        return budget;
+    }
+    entry.certificate = found->certificate;
+    entry.due = found->due;
+    *found = std::move(entry);
     return budget;
 }
 

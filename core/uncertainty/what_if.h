@@ -37,7 +37,7 @@ ReportedValue withChanges(ReportedValue reported, const std::vector<ChangedU> &c
 std::string budgetKeyOf(const UncertaintyLine &line, const std::vector<BudgetEntry> &budget);
 
 /// The budget that states `to` by `key`, with distribution and degrees of freedom of `line`; an
-/// entry of this key is replaced. Unchanged without a key.
+/// entry of this key is replaced and keeps its reference. Unchanged without a key.
 std::vector<BudgetEntry> withStated(std::vector<BudgetEntry> budget, const std::string &key,
     const UncertaintyLine &line, double to);
 

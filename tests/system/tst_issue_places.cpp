@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Dyncal authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+#include "tests/support/postgres_server.h"
 #include "tests/support/test_program.h"
 #include "tests/support/trial_count.h"
 #include "tests/system/issued_job.h"
@@ -15,8 +16,12 @@ const QString kGone = ".gone"; // as system/full_disk moves a folder away
 struct Laboratory
 {
     IssuedJob job;
+    QString database = {}; ///< of a PostgreSQL server, in the place of the registry's folder
     QString registryFolder() const { return job.path("registry"); }
-    QString registry() const { return registryFolder() + "/registry.sqlite"; }
+    QString registry() const
+    {
+        return database.isEmpty() ? registryFolder() + "/registry.sqlite" : database;
+    }
     QStringList withRegistry(const QStringList &command) const
     {
         return command + QStringList{"--registry", registry()};
@@ -37,8 +42,8 @@ struct Laboratory
     /// Or not made yet.
     bool isRegistryWhole() const
     {
-        return !QFile::exists(registry()) || runDyncal({"verify", registry()}).exitCode == 0
-            || numbers().isEmpty();
+        return (database.isEmpty() && !QFile::exists(registry()))
+            || runDyncal({"verify", registry()}).exitCode == 0 || numbers().isEmpty();
     }
     QStringList placesOf(const QString &folder) const
     {
@@ -83,6 +88,7 @@ private slots:
     void readOnly_whileIssuing();
     void vanished_whileIssuing_data();
     void vanished_whileIssuing();
+    void stoppedServer_isNamed_andIssuedOnceItIsBack();
     void registryThatFails_keepsItsState_data();
     void registryThatFails_keepsItsState();
 };
@@ -114,17 +120,27 @@ void TestIssuePlaces::readOnly_whileIssuing()
 void TestIssuePlaces::vanished_whileIssuing_data()
 {
     QTest::addColumn<QString>("name");
-    QTest::newRow("certificates") << "certificates";
-    QTest::newRow("registry") << "registry";
+    QTest::addColumn<bool>("onAServer");
+    QTest::newRow("certificates") << "certificates" << false;
+    QTest::newRow("registry") << "registry" << false;
+    QTest::newRow("certificates, PostgreSQL") << "certificates" << true;
 }
 
 void TestIssuePlaces::vanished_whileIssuing()
 {
     QFETCH(QString, name);
+    QFETCH(bool, onAServer);
+    if (onAServer)
+        DYNCAL_NEEDS_POSTGRES();
+    std::optional<dyncal::testing::PostgresServer> server;
+    if (onAServer)
+        QVERIFY(server.emplace().isRunning());
     int failed = 0;
     const int step = dyncal::trials::count(29, 1);
     for (int from = 0;; from += step) {
-        const Laboratory lab; // of its own: a folder that vanished late has a whole certificate
+        // Of its own: a folder that vanished late has a whole certificate.
+        const Laboratory lab{
+            {}, server ? server->database("at" + QString::number(from)) : QString()};
         QVERIFY(lab.job.begin(recording()));
         QVERIFY(QDir().mkpath(lab.job.output()) && QDir().mkpath(lab.registryFolder()));
         const Answer answer = runBroken(lab.issue(), "vanished:" + lab.job.path(name), from);
@@ -149,6 +165,25 @@ void TestIssuePlaces::vanished_whileIssuing()
     }
     qInfo("%d of the moments ended in a refusal", failed);
     QVERIFY(failed > 0);
+}
+
+/// Nothing is written of a certificate that has no number yet.
+void TestIssuePlaces::stoppedServer_isNamed_andIssuedOnceItIsBack()
+{
+    DYNCAL_NEEDS_POSTGRES();
+    dyncal::testing::PostgresServer server;
+    QVERIFY(server.isRunning());
+    const Laboratory lab{{}, server.database("stopped")};
+    QVERIFY(lab.job.begin(recording()));
+    server.stop();
+    const Answer refused = runDyncal(lab.issue());
+    QVERIFY2(refused.exitCode >= 3 && refused.exitCode <= 5, refused.err);
+    QVERIFY2(refused.complaints().size() == 1 && refused.err.contains("127.0.0.1"), refused.err);
+    QVERIFY(!QFile::exists(lab.job.output() + "/1"));
+    QVERIFY(server.start());
+    QCOMPARE(runDyncal(lab.issue()).exitCode, 0);
+    QCOMPARE(lab.placesOf(lab.job.output()), QStringList{"1"});
+    QVERIFY(lab.isRegistryWhole() && lab.numbers().size() == 1);
 }
 
 void TestIssuePlaces::registryThatFails_keepsItsState_data()

@@ -109,6 +109,18 @@ private slots:
         QVERIFY(answer.json()["verdict"].toString().contains("in the step \"reading\""));
     }
 
+    /// The keys of the steps stay as scripts know them.
+    void spoken_inTheLanguageThatIsAskedFor()
+    {
+        const Answer answer
+            = runDyncal({"selftest", "--calibrations", "0"}, {"DYNCAL_LANGUAGE=sv"});
+        QVERIFY2(answer.exitCode == 0, answer.out + answer.err);
+        QVERIFY(answer.out.contains("\nexpected_shock "));
+        QVERIFY(answer.out.contains("den infallande stötvågens densitetskvot"));
+        QVERIFY(!answer.out.contains("density ratio") && !answer.out.contains("how far"));
+        QVERIFY(answer.out.contains("\nAlla "));
+    }
+
     /// Ctrl-C leaves neither files nor folder.
     void interrupted_leavesNothing()
     {

@@ -76,6 +76,34 @@ private slots:
         QVERIFY(!swedish["first_difference"].toString().isEmpty());
         QVERIFY(swedish["first_difference"].toString() != english["first_difference"].toString());
     }
+
+    /// Reasons that the batch has written down come in the language of who looks at them.
+    void reasonsOfABatch_areTranslated_whenTheyAreSaid()
+    {
+        const QTemporaryDir folder;
+        const QString plan = folder.filePath("plan.jsonl"), root = folder.filePath("root");
+        QVERIFY(QDir().mkpath(root + "/photos") && QDir().mkpath(root + "/torn"));
+        QVERIFY(writeBytes(root + "/photos/readme", "no recording"));
+        QVERIFY(simulateShortCapture(root + "/torn/a.h5", 3));
+        QCOMPARE(runDyncal({"batch", "plan", root, "-o", plan}).exitCode, 2);
+        QVERIFY(writeBytes(root + "/torn/a.h5", "torn"));
+        QCOMPARE(runDyncal({"batch", "run", plan}).exitCode, 2);
+
+        const QStringList words{"batch", "status", plan};
+        const Answer english = runDyncal(words), swedish = in("sv", words);
+        QVERIFY2(english.out.contains("holds files but no recording"), english.out + english.err);
+        QVERIFY2(english.out.contains("torn: failed: "), english.out);
+        QVERIFY2(swedish.out.contains("torn: failed: "), swedish.out);
+        for (const char *said : {"no recording", "changed", "plan again", "make the plan"})
+            QVERIFY2(!swedish.out.contains(said), swedish.out);
+        const QJsonArray left
+            = in("sv", {"batch", "status", plan, "--json"}).json()["not_done"].toArray();
+        QCOMPARE(left.size(), qsizetype(2));
+        for (const QJsonValue &one : left) {
+            QCOMPARE(one["state"].toString(), QString("failed"));
+            QVERIFY(swedish.out.contains(one["reason"].toString().first(40).toUtf8()));
+        }
+    }
 };
 
 DYNCAL_TEST(TestSpokenLanguage)

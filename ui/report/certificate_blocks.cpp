@@ -262,14 +262,6 @@ CertificateStyle forTwoLanguages(CertificateStyle style)
     return style;
 }
 
-/// What the map of poles cannot show is said in its caption.
-QString figureCaption(
-    const CertificateFigure &figure, const PlotContent &content, const DocumentWords &words)
-{
-    const QString caption = words(figure.caption);
-    return content.equalAspect ? caption + QStringLiteral("; ") + content.summary : caption;
-}
-
 void addMissing(const CertificateData &data, const CertificateStyle &style,
     const DocumentWords &words, const BlockMaker &make, std::vector<FlowBlock> &blocks)
 {
@@ -350,7 +342,7 @@ std::vector<FlowBlock> certificateBlocks(const CertificateData &data,
                 body.push_back(make.figure(*content,
                     QCoreApplication::translate("Report", "Figure %1. %2.")
                         .arg(++figureNumber)
-                        .arg(figureCaption(figure, *content, words))));
+                        .arg(words(figure.caption))));
         if (body.empty())
             continue; // a section without content has no heading
         for (FlowBlock &block : body) // fields: it is signed
@@ -358,6 +350,7 @@ std::vector<FlowBlock> certificateBlocks(const CertificateData &data,
         blocks.push_back(make.heading(words(section.title)));
         std::move(body.begin(), body.end(), std::back_inserter(blocks));
     }
+    blocks.back().keepWithNext = true; // the end alone is no page
     blocks.push_back(make.text(data.isCertificate
             ? QCoreApplication::translate("Report", "End of the certificate")
             : QCoreApplication::translate("Report", "End of the report"),

@@ -77,7 +77,8 @@ void addModel(Makers &makers)
     makers.add("model-data", [](R r) { return simulationCurves(*r.input, *r.model, *r.window); });
     makers.add("model-error", [](R r) { return errorCurves(*r.input, *r.model, *r.window); });
     makers.add("pole-zero", [](R r) { return poleZeroCurves(*r.model); });
-    makers.add("step", [](R r) { return stepCurves(*r.model, r.input->treatment); });
+    makers.add(
+        "step", [](R r) { return stepCurves(*r.model, r.input->treatment, r.response.get()); });
 }
 
 } // namespace

@@ -87,10 +87,15 @@ bool isLeft(int file)
     return !text || text->boot == QSysInfo::bootUniqueId() || silence_s(file) >= kLongestSilence_s;
 }
 
+QString beside(const QFileInfo &file)
+{
+    return QDir(file.absolutePath()).filePath('.' + file.fileName() + QStringLiteral(".held"));
+}
+
 } // namespace
 
-ProjectHold::ProjectHold(const QString &project, std::unique_ptr<FileLock> lock)
-    : m_project(project)
+ProjectHold::ProjectHold(const QString &file, std::unique_ptr<FileLock> lock)
+    : m_file(file)
     , m_lock(std::move(lock))
 {
 }
@@ -104,20 +109,29 @@ void ProjectHold::beat() const
 
 QString holdFile(const QString &project)
 {
+    const QString target = QFileInfo(project).canonicalFilePath();
+    return target.isEmpty() ? writtenHoldFile(project) : beside(QFileInfo(target));
+}
+
+QString writtenHoldFile(const QString &project)
+{
     const QFileInfo named(project);
-    const QString target = named.canonicalFilePath();
-    const QFileInfo file(target.isEmpty() ? named.absoluteFilePath() : target);
-    return file.dir().filePath('.' + file.fileName() + QStringLiteral(".held"));
+    const QString folder = QFileInfo(named.absolutePath()).canonicalFilePath();
+    return beside(folder.isEmpty() ? named : QFileInfo(QDir(folder).filePath(named.fileName())));
 }
 
 HoldAnswer HoldAnswer::of(const QString &project, const ProjectHolder &who)
 {
-    const QString path = holdFile(project);
+    return at(holdFile(project), who);
+}
+
+HoldAnswer HoldAnswer::at(const QString &path, const ProjectHolder &who)
+{
     if (auto lock = FileLock::take(path, isLeft)) {
         const bool isSaid = lock->write(bytesOf({who, QSysInfo::bootUniqueId()}));
         if (!isSaid) // on a full disk: nobody could be told by whom
             return {};
-        return {std::shared_ptr<ProjectHold>(new ProjectHold(project, std::move(lock))), {}};
+        return {std::shared_ptr<ProjectHold>(new ProjectHold(path, std::move(lock))), {}};
     }
     QFile file(path);
     if (!QFileInfo(path).isFile() || !file.open(QIODevice::ReadOnly))

@@ -34,13 +34,13 @@ public:
     ProjectHold &operator=(const ProjectHold &) = delete;
 
     void beat() const; ///< wanted every kHoldBeat_s
-    const QString &project() const { return m_project; }
+    const QString &file() const { return m_file; } ///< holdFile() or writtenHoldFile()
 
 private:
     friend struct HoldAnswer;
-    ProjectHold(const QString &project, std::unique_ptr<FileLock> lock);
+    ProjectHold(const QString &file, std::unique_ptr<FileLock> lock);
 
-    QString m_project;
+    QString m_file;
     std::unique_ptr<FileLock> m_lock;
 };
 
@@ -57,9 +57,15 @@ struct HoldAnswer
     /// Holds a project for `who`, unless somebody else does. A program that was killed holds
     /// nothing: on this machine at once, on another after kLongestSilence_s.
     static HoldAnswer of(const QString &project, const ProjectHolder &who);
+    /// The same by the file that says so.
+    static HoldAnswer at(const QString &holdFile, const ProjectHolder &who);
 };
 
 /// The file that says who holds a project; links to one project lead to one file.
 QString holdFile(const QString &project);
+
+/// That of a project once it is saved under this name: a link is replaced by the project, which is
+/// then another file than the one that the link led to.
+QString writtenHoldFile(const QString &project);
 
 } // namespace dyncal

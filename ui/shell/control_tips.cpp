@@ -339,7 +339,7 @@ constexpr Tip kTips[]{
 };
 
 /// Of every list of entries in the recipe (EntryList), whose controls share a beginning.
-constexpr const char *kEntryLists[]{"known", "correlation", "capability"};
+constexpr const char *kEntryLists[]{"known", "correlation", "capability", "stated"};
 constexpr Tip kEntryTips[]{
     {"List",
         QT_TRANSLATE_NOOP(

@@ -5,6 +5,7 @@
 
 #include "core/base/writing/folder_write.h"
 #include "core/selftest/selftest_files.h"
+#include "core/selftest/step_words.h"
 #include "ui/report/document_pdf.h"
 #include "ui/shell/preferences/preferences.h"
 #include "ui/stages/frame/prompts.h"
@@ -130,7 +131,7 @@ void SelfTestDialog::showTable()
     QVector<QStringList> deviating, holding;
     for (const SelfCheck &check : m_report->checks)
         (check.holds() ? holding : deviating) << QStringList{
-            check.holds() ? tr("holds") : tr("deviates"), shownText(check.step),
+            check.holds() ? tr("holds") : tr("deviates"), translated(stepWords(check.step)),
             translated(check.name), shownNumber(check.expected, kCheckDigits),
             shownNumber(check.found, kCheckDigits), shownNumber(check.tolerance, kToleranceDigits),
             shownNumber(check.sensitivity, kToleranceDigits), translated(check.source)};

@@ -89,6 +89,8 @@ InputWords inputWords(const std::string &quantity)
         QString name = UncertaintyWords::tr(row.name);
         if (bracket != std::string::npos)
             name = name.arg(shownText(quantity.substr(bracket + 1, quantity.size() - bracket - 2)));
+        else if (name.contains(QLatin1String("%1")))
+            name = name.arg(UncertaintyWords::tr("all places"));
         return {name, row.unit, row.in};
     }
     return {shownText(quantity), {}};

@@ -3,6 +3,7 @@
 
 #include "core/base/writing/pending_file.h"
 
+#include "core/base/content_hash.h"
 #include "core/base/writing/file_identity.h"
 #include "core/base/writing/file_modes.h"
 #include "core/base/writing/write_problem.h"
@@ -44,6 +45,14 @@ std::string linkText(int folder, const std::string &name)
     std::array<char, 256> text; // the beginning is enough
     const ssize_t size = ::readlinkat(folder, name.c_str(), text.data(), text.size());
     return std::string(text.data(), static_cast<std::size_t>(std::max<ssize_t>(size, 0)));
+}
+
+/// Of what is read under this name, through a link too: that is the file that was looked at.
+std::string hashAt(int folder, const std::string &name, const struct stat &status)
+{
+    return S_ISLNK(status.st_mode)
+        ? sha256OfFile("/proc/self/fd/" + std::to_string(folder) + '/' + name)
+        : sha256At(folder, name);
 }
 
 } // namespace
@@ -123,7 +132,7 @@ Result<void> PendingFile::checkTarget() const
     if ((!S_ISREG(status.st_mode) && !S_ISLNK(status.st_mode)) || leadsElsewhere)
         return isNoFile(m_path);
     if (m_existing.rule == Existing::Rule::ReplacedIfUnchanged
-        && (!m_existing.sha256 || sha256At(folder, m_name) != *m_existing.sha256))
+        && (!m_existing.sha256 || hashAt(folder, m_name, status) != *m_existing.sha256))
         return wasChanged(m_path);
     return {};
 }

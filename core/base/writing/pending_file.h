@@ -18,7 +18,9 @@ struct Existing
     enum class Rule {
         Refused, ///< nothing may have it: recordings are written once
         Replaced, ///< a regular file, or a link, which is replaced and not followed
-        ReplacedIfUnchanged, ///< a regular file of this hash; nothing where none is given
+        /// A regular file of this hash, or a link to one, which is replaced and not followed;
+        /// nothing where no hash is given.
+        ReplacedIfUnchanged,
     };
     Rule rule = Rule::Replaced;
     std::optional<std::string> sha256 = {};

@@ -78,4 +78,11 @@ bool isPlateauKnown(const SensorModel &model)
     return u <= kMost * std::abs(model.plateauGain);
 }
 
+Index countBeyondMap(const SensorModel &model)
+{
+    const auto isBeyond = [](std::complex<double> z) { return !(std::abs(z) <= kFarthestInMap); };
+    return std::ranges::count_if(model.poles, isBeyond, &Pole::z)
+        + std::ranges::count_if(model.zeros, isBeyond);
+}
+
 } // namespace dyncal

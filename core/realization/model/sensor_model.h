@@ -48,6 +48,9 @@ struct Pole
     double coverageFactor = kUnknown; ///< k: value +- k u is a 95 % interval of f0 and of zeta
 };
 
+/// |z|; poles and zeros further out are not drawn in the map of the z-plane, but counted.
+inline constexpr double kFarthestInMap = 2.0;
+
 /// How one series is described by the shared poles: y(t) = c0 + sum c_i e^(s_i (t - onset)).
 struct SeriesFit
 {
@@ -139,5 +142,8 @@ const Pole *mainPole(const std::vector<Pole> &poles, const std::vector<SeriesFit
 /// Whether c0, to which the response would tend, may be stated: with a drift that has hardly begun
 /// it is an extrapolation, and is not where its u is more than 5 % of it.
 bool isPlateauKnown(const SensorModel &model);
+
+/// How many poles and zeros lie beyond kFarthestInMap.
+Index countBeyondMap(const SensorModel &model);
 
 } // namespace dyncal

@@ -26,7 +26,7 @@ struct FourSensors
     {
         plan[3].obstacle = "No recording.";
         const bool isWritten = writeResults(folder.file(""), plan[0], doneRecord(plan[0]))
-            && keepFailure(folder.file(""), plan[1], "It crashed.").has_value();
+            && keepFailure(folder.file(""), plan[1], {"It crashed."}).has_value();
         if (!isWritten)
             qFatal("The results of the test could not be written.");
     }

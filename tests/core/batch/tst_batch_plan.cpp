@@ -37,6 +37,7 @@ PlannedSensor unplanned(const std::string &id)
     sensor.source = "in/" + id;
     sensor.output = "plan.out/" + id;
     sensor.obstacle = "There is nothing to read.";
+    sensor.said = {"There is nothing to read."};
     return sensor;
 }
 
@@ -101,6 +102,7 @@ void TestBatchPlan::plan_keepsTheOrderAndLeavesEmptyLinesOut()
     QCOMPARE(plan->at(0).id, std::string("b"));
     QCOMPARE(plan->at(1).id, std::string("a"));
     QCOMPARE(plan->at(2).obstacle, unplanned("c").obstacle);
+    QVERIFY(plan->at(2).said == unplanned("c").said);
 }
 
 void TestBatchPlan::plan_ofNothing_isEmpty()

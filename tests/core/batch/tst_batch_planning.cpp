@@ -244,6 +244,7 @@ void TestBatchPlanning::ownRecipe_broken_isAnObstacle()
     const BatchPlan plan = laboratory.plan();
     QCOMPARE(plan.size(), std::size_t(3));
     QVERIFY(plan[1].obstacle.find("remapp") != std::string::npos);
+    QCOMPARE(english(plan[1].said.message()), plan[1].obstacle);
     QVERIFY(plan[1].inputs.empty());
     QVERIFY(plan[0].obstacle.empty() && plan[2].obstacle.empty());
 }

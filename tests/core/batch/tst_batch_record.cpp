@@ -32,6 +32,7 @@ SensorOutcome wholeRecord()
     record.findings = {{"CAP-017", Severity::Info, 0}, {"WIN-001", Severity::Caution, 2},
         {"CAP-002", Severity::Block, 1}};
     record.stamps = {{209128, 1795702379140883154}, {0, 0}};
+    record.said = {"%1: %M1", {"WIN-001"}, {{"Shot %1 is \"strange\".", {"2"}}}};
     return record;
 }
 
@@ -116,6 +117,8 @@ void TestBatchRecord::text_thatIsNoRecord_data()
     row("no key", "\"key\"", "\"lock\"");
     row("value is a text", "\"value\": 0.02", "\"value\": \"0.02\"");
     row("shot is a text", "\"shot\": 2", "\"shot\": \"2\"");
+    row("message is a text", "\"message\": {", "\"message\": \"x\", \"y\": {");
+    row("message without a text", "\"text\"", "\"words\"");
     row("no stamps", "\"inputs\"", "\"input\"");
     row("results are an object", "\"results\": [", "\"results\": 3, \"x\": [");
 }
@@ -209,6 +212,7 @@ void TestBatchRecord::record_ofWhatBlocks_statesNoResult()
     const SensorOutcome record = recordOf(outcome, "key");
     QVERIFY(record.results.empty());
     QCOMPARE(record.reason, std::string("Shot 2 is strange."));
+    QVERIFY((record.said == KeptMessage{"Shot %1 is strange.", {"2"}, {}}));
     QVERIFY(!record.findings.empty());
 }
 

@@ -32,7 +32,7 @@ struct WatchedBatch
         plan[3].obstacle = "No recording.";
         const bool isWritten = writePlanFile(path, plan).has_value()
             && writeResults(folder.file(""), plan[0], doneRecord(plan[0]))
-            && keepFailure(folder.file(""), plan[1], "It crashed.").has_value();
+            && keepFailure(folder.file(""), plan[1], {"It crashed."}).has_value();
         if (!isWritten)
             qFatal("The batch of the test could not be written.");
     }

@@ -148,10 +148,10 @@ void TestSensorPlace::unplanned_isFailedWithItsReason()
 void TestSensorPlace::failure_isToldBeforeEarlierResults()
 {
     PlacedSensor one;
-    QVERIFY(keepFailure(one.plan, one.sensor, "It crashed."));
+    QVERIFY(keepFailure(one.plan, one.sensor, {"It crashed."}));
     QCOMPARE(one.state(), SensorState::Failed);
     QVERIFY(one.write());
-    QVERIFY(keepFailure(one.plan, one.sensor, "A recording changed."));
+    QVERIFY(keepFailure(one.plan, one.sensor, {"A recording changed."}));
     const SensorOutcome record = recordOnDisk(one.plan, one.sensor);
     QCOMPARE(record.state, SensorState::Failed);
     QCOMPARE(record.reason, std::string("A recording changed."));
@@ -164,7 +164,7 @@ void TestSensorPlace::failure_isForgottenOnRequest()
     PlacedSensor one;
     forgetFailure(one.plan, one.sensor); // none there
     QVERIFY(one.write());
-    QVERIFY(keepFailure(one.plan, one.sensor, "It crashed."));
+    QVERIFY(keepFailure(one.plan, one.sensor, {"It crashed."}));
     forgetFailure(one.plan, one.sensor);
     QCOMPARE(one.state(), SensorState::Done);
     QVERIFY(!fs::exists(one.output / kFailureRecord));
@@ -173,7 +173,7 @@ void TestSensorPlace::failure_isForgottenOnRequest()
 void TestSensorPlace::failure_ofAnotherKey_doesNotCount()
 {
     PlacedSensor one;
-    QVERIFY(keepFailure(one.plan, one.sensor, "It crashed."));
+    QVERIFY(keepFailure(one.plan, one.sensor, {"It crashed."}));
     one.sensor.recipeSha256 = sha256Hex(std::string_view("another"));
     QCOMPARE(one.state(), SensorState::Missing);
 }

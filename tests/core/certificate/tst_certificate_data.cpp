@@ -141,7 +141,7 @@ void TestCertificateData::complete_example_hasEverySectionAndNumber()
     QCOMPARE(cell(*table(data, "conditions"), 2, 6), QString("434 kPa"));
     QCOMPARE(cell(*table(data, "shots"), 1, 1), QString("medium"));
     QCOMPARE(cell(*table(data, "records"), 0, 2).size(), 64);
-    QCOMPARE(data.section("figures")->figures.size(), std::size_t(7));
+    QCOMPARE(data.section("figures")->figures.size(), std::size_t(8));
 }
 
 void TestCertificateData::complete_example_missesNothingButStaysDraft()

@@ -52,6 +52,14 @@ private:
             != figures.end();
     }
 
+    static std::string captionOf(const CertificateData &data, const char *id)
+    {
+        for (const CertificateFigure &figure : data.section("figures")->figures)
+            if (figure.id == id)
+                return english(figure.caption);
+        return {};
+    }
+
 private slots:
     void initTestCase() { m_set = testing::referenceCapture(); }
 
@@ -66,6 +74,9 @@ private slots:
         QVERIFY(says(*data.section("method"), "what the reference transducer saw"));
         QVERIFY(says(*data.section("frequency-response"), "ratios of the item's record"));
         QVERIFY(says(*data.section("frequency-response"), "Check by the second way"));
+        const std::string zero = "model: from the item's own onset"; // two zeros of one figure
+        QVERIFY(captionOf(data, "phase").ends_with(zero));
+        QVERIFY(says(*data.section("frequency-response"), "that of the model from the item's own"));
         const CertificateTable &steps = data.section("conditions")->tables.front();
         for (const std::vector<Message> &row : steps.rows)
             QCOMPARE(english(row[7]), std::string("of the reference"));
@@ -89,7 +100,9 @@ private slots:
                 + english(printedWithUncertainty(model.f0_Hz, model.u_f0_Hz, "Hz"))
                 + ", damping ratio "
                 + english(printedWithUncertainty(model.zeta, model.u_zeta, "")));
-        QVERIFY(showsComparison(makeCertificate(results, recipe, {})));
+        const CertificateData data = makeCertificate(results, recipe, {});
+        QVERIFY(showsComparison(data));
+        QCOMPARE(captionOf(data, "phase"), std::string("Frequency response, phase"));
     }
 
     void without_itSaysNothing()

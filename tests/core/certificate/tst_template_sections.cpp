@@ -7,6 +7,7 @@
 #include "tests/support/certificate_text.h"
 #include "tests/support/example_results.h"
 #include "tests/support/test_program.h"
+#include "tests/support/writable_result.h"
 
 #include <QTest>
 
@@ -103,8 +104,8 @@ private slots:
                 "shots", "model", "frequency-response", "remarks", "records", "statements",
                 "figures"}));
         QCOMPARE(figuresOf(plain),
-            (Names{"singular-values", "model-data", "model-error", "magnitude", "phase", "spectrum",
-                "pole-zero"}));
+            (Names{"singular-values", "model-data", "model-error", "step", "magnitude", "phase",
+                "spectrum", "pole-zero"})); // "step" shows the overshoot that is stated
         QVERIFY(plain.logo.bytes.empty() && plain.secondLanguage.empty());
     }
     void builtIn_haveWhatTheySay()
@@ -123,6 +124,21 @@ private slots:
             {"bic", "step", "responses-start", "residual-autocovariance"}, figuresOf(research)));
         QCOMPARE(english(research.title), std::string("Certificate with research annex"));
         QCOMPARE(english(full.title), std::string("Certificate of dynamic calibration"));
+    }
+    void mapOfPoles_saysWhatItCannotShow()
+    {
+        CalibrationResults results = example::calibration();
+        const auto caption = [&] {
+            const CertificateData data = makeCertificate(results, exampleRecipe(), kCreated);
+            return english(data.section("figures")->figures.back().caption);
+        };
+        SensorModel &model = testing::writable(results.model);
+        model.zeros = {{0.5, 0.0}};
+        const std::string counts = "Poles and zeros of the model in the z-plane; poles: "
+            + std::to_string(model.poles.size()) + ", zeros: ";
+        QCOMPARE(caption(), counts + "1");
+        model.zeros.push_back({3.7, 0.0});
+        QCOMPARE(caption(), counts + "2; further out than shown: 1");
     }
     /// A section says the same under every template, but for what is chosen in it.
     void sameSection_saysTheSame()

@@ -197,7 +197,7 @@ void TestTemplateFile::faults_areSaid_data()
         "a list of one language, or of two that stand side by side");
     row("figures without place",
         with("sections", without(CertificateTemplate().sections, "figures")),
-        "Template key figures names 8, and sections has no \"figures\"");
+        "Template key figures names 9, and sections has no \"figures\"");
     row("title is empty", with("title", {{"en", "  "}}), "Template key title.en is \"  \"");
     row("title in lines", with("title", {{"en", "a\nb"}}), "without line breaks");
     row("title too long", with("title", {{"sv", std::string(121, 'x')}}), "1 to 120 bytes");

@@ -3,6 +3,7 @@
 
 #include "core/base/version.h"
 #include "core/selftest/selftest.h"
+#include "core/selftest/step_words.h"
 #include "tests/support/test_program.h"
 
 #include <QTest>
@@ -47,6 +48,19 @@ private slots:
         const std::string words = english(report.verdict());
         QVERIFY(words.starts_with("2 of 3 checks deviate"));
         QVERIFY(words.find("\"model\" (name of model: expected 1, found 1.5)") != words.npos);
+    }
+
+    void everyStep_hasWords()
+    {
+        std::vector<std::string> steps{kCoverageStep};
+        for (const CheckSpec &spec : allChecks())
+            steps.emplace_back(spec.step);
+        for (const auto &[step, version] : methodVersions())
+            steps.push_back(step);
+        for (const std::string &step : steps)
+            QVERIFY2(stepWords(step).arguments.empty(), step.c_str());
+        QCOMPARE(english(stepWords("monte_carlo")), std::string("Monte Carlo"));
+        QCOMPARE(english(stepWords("of another version")), std::string("of another version"));
     }
 
     void withoutStudy_checksAlone()

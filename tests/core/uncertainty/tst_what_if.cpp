@@ -139,6 +139,14 @@ private slots:
         QVERIFY(withStated(before, "", directLine("noise", 1.0), 0.1) == before);
     }
 
+    /// Another u is of the same reference: the certificate stays traceable.
+    void statedAnew_keepsItsReference()
+    {
+        const std::vector<BudgetEntry> before{{"t1_k", 0.3, "normal", {}, "R-1", "2027-01-31"}};
+        const auto after = withStated(before, "t1_k", directLine("t1_k", 0.3), 0.1);
+        QVERIFY((after[0] == BudgetEntry{"t1_k", 0.1, "normal", {}, "R-1", "2027-01-31"}));
+    }
+
     /// What was tried is what a run gives once the recipe states it, value by value.
     void tried_isWhatTheRecipeGives()
     {

@@ -41,6 +41,7 @@ private slots:
     void place_spaceBefore_vanishesAtTop();
     void place_chainLongerThanPage_isBrokenUp();
     void place_blockTallerThanPage_standsAlone();
+    void endOfTheDocument_neverStandsAlone();
     void place_randomBlocks_neverOverlapNorLeaveThePage();
     void widths_anyInput_sumToTotal();
     void softHyphen_endsALine_andTakesNoRoomElse();
@@ -102,6 +103,28 @@ void TestPageFlow::place_blockTallerThanPage_standsAlone()
     QCOMPARE(placed[1].page, 1);
     QCOMPARE(placed[1].top, 0.0);
     QCOMPARE(placed[2].page, 2);
+}
+
+/// Whatever the height of what is before it.
+void TestPageFlow::endOfTheDocument_neverStandsAlone()
+{
+    QImage device(800, 1100, QImage::Format_ARGB32);
+    const dyncal::CertificateStyle style;
+    int lastPages = 0;
+    for (int lines = 1; lines < 90; ++lines) {
+        dyncal::CertificateData data;
+        data.title = {"Report", {}};
+        dyncal::CertificateSection section;
+        section.id = "statements";
+        section.title = {"Statements", {}};
+        section.paragraphs.assign(static_cast<std::size_t>(lines), {"A sentence.", {}});
+        data.sections = {section};
+        const auto blocks = dyncal::certificateBlocks(data, {}, style, 680.0, &device);
+        const std::vector<PlacedBlock> placed = placeBlocks(blocks, 953.0);
+        QVERIFY2(placed.back().top > 0.0, qPrintable(QString::number(lines)));
+        lastPages = placed.back().page;
+    }
+    QVERIFY(lastPages > 0);
 }
 
 void TestPageFlow::place_randomBlocks_neverOverlapNorLeaveThePage()

@@ -248,6 +248,29 @@ private slots:
             QVERIFY(commas > 20);
         }
     }
+    /// A logarithmic axis has its prefix where it has its unit, and bare numbers at its ticks.
+    void decades_areNumbersInTheUnitOfTheirAxis()
+    {
+        ReportDrawing drawing(
+            calibration(), recipeIn({"en"}), kCreated, ReportParts::CertificateAndPlots);
+        drawing.draw(std::chrono::hours(24));
+        const auto drawn = drawing.take();
+        QVERIFY(drawn.has_value());
+        int titles = 0;
+        for (std::size_t i = 2; i < drawn->size(); ++i) { // behind certificate and DCC
+            const QString svg = QString::fromStdString((*drawn)[i].bytes);
+            static const QRegularExpression prefixed(">\\d+.[kMGm\u00b5]</text>");
+            QVERIFY2(!svg.contains(prefixed), (*drawn)[i].name.c_str());
+            titles += svg.contains("Frequency / kHz") ? 1 : 0;
+        }
+        QVERIFY(titles >= 2);
+    }
+    void captions_areInBothLanguages()
+    {
+        const QString both = textOf(pdfOf({"en", "sv"})).simplified();
+        QVERIFY(both.contains("in the z-plane; poles: 2, zeros: "));
+        QVERIFY(both.contains("i z-planet; poler: 2, nollställen: "));
+    }
     void german_besideEnglish_numbersOnce()
     {
         const QString both = textOf(pdfOf({"en", "de"}));

@@ -8,6 +8,7 @@
 #include "tests/ui/shell/window_bench.h"
 #include "ui/shell/selftest_dialog.h"
 #include "ui/stages/frame/value_table.h"
+#include "ui/text/core_text.h"
 
 #include <QJsonDocument>
 #include <QJsonObject>
@@ -185,6 +186,15 @@ private slots:
         QTRY_VERIFY_WITH_TIMEOUT(!bench.dialog->isRunning(), kPatience_ms);
         QVERIFY(bench.verdict().startsWith("Alla "));
         const auto *table = bench.find<ValueTable>("selfTestTable");
+        QStringList steps;
+        for (int row = 0; row < table->rowCount(); ++row)
+            steps << table->item(row, 1)->text();
+        QVERIFY(steps.contains("väntad stötvåg") && !steps.contains("expected_shock"));
+        SelfTestReport deviating{
+            {{"expected_shock", {"distance over time", {}}, {}, 1.0, 2.0, 0.1}}, {}, {}, 0};
+        const QString verdict = translated(deviating.verdict());
+        QVERIFY2(verdict.contains("väntad stötvåg") && verdict.contains("sträcka genom tid"),
+            qPrintable(verdict));
         const std::vector<CheckSpec> specs = allChecks();
         for (int row = 0; row < table->rowCount(); ++row)
             for (const CheckSpec &spec : specs)

@@ -83,7 +83,7 @@ void overlayPoles(PlotContent &content, const std::vector<OverlaidModel> &candid
     for (const OverlaidModel &candidate : candidates) {
         PlotCurve curve{nameOf(candidate), candidate.role, CurveStyle::Markers, {}, {}, true};
         for (const Pole &pole : candidate.model->poles) {
-            if (std::abs(pole.z) > kFarthestShown)
+            if (std::abs(pole.z) > kFarthestInMap)
                 continue;
             curve.x.push_back(pole.z.real());
             curve.y.push_back(pole.z.imag());

@@ -3,6 +3,7 @@
 
 #include "ui/plot/curves/model_curves.h"
 
+#include "core/model_analysis/stated_characteristics.h"
 #include "ui/plot/curves/curve_building.h"
 #include "ui/plot/values/axis_prefix.h"
 #include "ui/text/shown_text.h"
@@ -147,6 +148,17 @@ double stepResponse(const SensorModel &model, const std::vector<std::complex<dou
     return sum.real();
 }
 
+/// Words alone: the value stands with its U among the key results.
+void addOvershoot(const ResponseResult &response, double settled, PlotContent &content)
+{
+    const auto overshoot_percent = statedCharacteristics(response).overshoot_percent.value;
+    if (!overshoot_percent)
+        return;
+    content.levels.push_back({settled, Plots::tr("settled"), CurveRole::Reference});
+    content.levels.push_back({settled * (1.0 + 0.01 * *overshoot_percent),
+        Plots::tr("settled and overshoot"), CurveRole::Reference});
+}
+
 } // namespace
 
 PlotContent simulationCurves(const ModelInput &input, const SensorModel &model,
@@ -211,14 +223,11 @@ PlotContent poleZeroCurves(const SensorModel &model)
     if (model.stateSpace.sampleInterval_s > 0.0)
         content.dampingGridRate_Hz = 1.0 / model.stateSpace.sampleInterval_s;
     double reach = 1.0;
-    int beyond = 0;
     const auto add = [&](PlotCurve &curve, std::complex<double> z) {
         curve.x.push_back(z.real());
         curve.y.push_back(z.imag());
-        if (std::abs(z) <= kFarthestShown)
+        if (std::abs(z) <= kFarthestInMap)
             reach = std::max({reach, std::abs(z.real()), std::abs(z.imag())});
-        else
-            ++beyond;
     };
     for (const PoleClass poleClass : {PoleClass::Sensor, PoleClass::Step, PoleClass::Nyquist,
              PoleClass::Unstable, PoleClass::Other}) {
@@ -239,7 +248,7 @@ PlotContent poleZeroCurves(const SensorModel &model)
     content.xMax = content.yMax = 1.1 * reach;
     content.summary
         = Plots::tr("poles: %1, zeros: %2").arg(model.poles.size()).arg(model.zeros.size());
-    if (beyond > 0)
+    if (const Index beyond = countBeyondMap(model); beyond > 0)
         content.summary
             += QStringLiteral("; ") + Plots::tr("further out than shown: %1").arg(beyond);
     return content;
@@ -270,9 +279,10 @@ PlotContent bodePhaseCurves(const ResponseResult &response)
     content.title = Plots::tr("Frequency response, phase");
     content.xAxis = frequencyAxisMeaning();
     content.yAxis = {Plots::tr("Phase"), QStringLiteral("°")};
-    content.curves.push_back({Plots::tr("Model"), CurveRole::Model, CurveStyle::Line,
-        toVector(response.modelCurve.frequency_Hz),
-        toVector(toDegrees * response.modelCurve.phase_rad), true});
+    content.curves.push_back(
+        {response.isByTransducer ? Plots::tr("Model, from its own onset") : Plots::tr("Model"),
+            CurveRole::Model, CurveStyle::Line, toVector(response.modelCurve.frequency_Hz),
+            toVector(toDegrees * response.modelCurve.phase_rad), true});
     addMeasured(
         content, response.frequency_Hz, response.phase_rad, response.u_phase_rad, toDegrees);
     addResponseMarks(content, response);
@@ -281,10 +291,12 @@ PlotContent bodePhaseCurves(const ResponseResult &response)
     return content;
 }
 
-PlotContent stepCurves(const SensorModel &model, ResponseTreatment treatment)
+PlotContent stepCurves(
+    const SensorModel &model, ResponseTreatment treatment, const ResponseResult *response)
 {
     constexpr Index kPoints = 3000;
     constexpr double kSettled = 6.0; ///< e-foldings of the slowest pole
+    constexpr double kLongSettled = 40.0; ///< to rounding
     PlotContent content;
     content.title = Plots::tr("Step response of the model");
     content.xAxis = timeAxisMeaning();
@@ -312,6 +324,9 @@ PlotContent stepCurves(const SensorModel &model, ResponseTreatment treatment)
     if (model.diverges)
         clipTo(Eigen::Vector2d(0.0, 2.0 * model.plateauGain), curve.y);
     content.curves.push_back(std::move(curve));
+    if (response && model.slowPoles.empty()) // a drift is no part of what overshoots
+        addOvershoot(
+            *response, stepResponse(model, rates, treatment, kLongSettled / slowest), content);
     return content;
 }
 

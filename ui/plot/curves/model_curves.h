@@ -11,8 +11,6 @@
 
 namespace dyncal {
 
-inline constexpr double kFarthestShown = 2.0; ///< |z|; poles and zeros further out are only counted
-
 /// Data against model. `series` (a position) shows that one alone. Where the model diverges the
 /// title says so and its curve ends at the measured range +-50 %.
 PlotContent simulationCurves(const ModelInput &input, const SensorModel &model,
@@ -22,16 +20,19 @@ PlotContent simulationCurves(const ModelInput &input, const SensorModel &model,
 PlotContent errorCurves(const ModelInput &input, const SensorModel &model,
     const WindowResult &window, std::optional<std::size_t> series = std::nullopt);
 
-/// Poles and zeros in the z-plane with the unit circle; a marker per class of pole.
+/// Poles and zeros in the z-plane with the unit circle; a marker per class of pole. Those beyond
+/// kFarthestInMap are only counted.
 PlotContent poleZeroCurves(const SensorModel &model);
 
 /// Magnitude of the response: model as a line, non-parametric values as dots with +- 2u.
 PlotContent bodeMagnitudeCurves(const ResponseResult &response);
 
-/// Phase in degrees.
+/// Phase in degrees; where the measured one has another zero than the model's, the legend says so.
 PlotContent bodePhaseCurves(const ResponseResult &response);
 
-/// Response of the continuous model to a unit step, from the onset until it has settled.
-PlotContent stepCurves(const SensorModel &model, ResponseTreatment treatment);
+/// Response of the continuous model to a unit step, from the onset until it has settled, with lines
+/// for its overshoot where `response` states one.
+PlotContent stepCurves(const SensorModel &model, ResponseTreatment treatment,
+    const ResponseResult *response = nullptr);
 
 } // namespace dyncal

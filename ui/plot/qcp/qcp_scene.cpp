@@ -119,9 +119,7 @@ void PlotScene::updateAxisLabel(QCPAxis *axis)
         return;
     }
     const QCPRange range = axis->range();
-    // Decades carry their own prefix ("10 k"), so the label of a logarithmic axis has none.
-    const AxisPrefix prefix
-        = meaning.logarithmic ? AxisPrefix{} : axisPrefix(range.lower, range.upper, meaning.unit);
+    const AxisPrefix prefix = prefixOf(meaning, range.lower, range.upper);
     const QFontMetrics metrics(m_theme.font);
     const int room
         = axis == m_plot.xAxis ? m_plot.axisRect()->width() : m_plot.axisRect()->height();

@@ -95,6 +95,7 @@ DecadeTicker::DecadeTicker(const PlotAxis &axis)
 QVector<double> DecadeTicker::createTickVector(double tickStep, const QCPRange &range)
 {
     m_range = range;
+    m_prefix = decadePrefix(range.lower, range.upper, m_axis.unit);
     m_decadesOnly = false;
     if (!(range.lower > 0.0))
         return {};
@@ -126,14 +127,13 @@ QVector<double> DecadeTicker::createSubTickVector(int, const QVector<double> &)
 
 QString DecadeTicker::getTickLabel(double tick, const QLocale &, QChar, int)
 {
-    if (m_decadesOnly && !takesPrefix(m_axis.unit)) {
-        const int exponent = static_cast<int>(std::lround(std::log10(tick)));
+    constexpr int kMostZeros = 4; // "10000", "0.0001"
+    const double value = tick / m_prefix.factor;
+    const int exponent = static_cast<int>(std::lround(std::log10(value)));
+    const bool isLong = std::abs(exponent) > kMostZeros;
+    if (m_decadesOnly && (isLong || !takesPrefix(m_axis.unit)))
         return exponent == 0 ? QStringLiteral("1") : powerOfTen(exponent);
-    }
-    const AxisPrefix prefix
-        = takesPrefix(m_axis.unit) ? axisPrefix(0.0, tick, m_axis.unit) : AxisPrefix{};
-    const QString number = plotNumber(tick / prefix.factor, 'g', 6);
-    return prefix.symbol.isEmpty() ? number : number + QChar(0x202F) + prefix.symbol;
+    return plotNumber(value, 'g', 6);
 }
 
 } // namespace dyncal

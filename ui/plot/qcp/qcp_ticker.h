@@ -32,7 +32,8 @@ private:
 };
 
 /// Ticks of a logarithmic axis: decades, with 2 and 5 where few decades are shown, and linear
-/// steps below half a decade. Labels "10 k" where the unit takes prefixes, else "10⁻³".
+/// steps below half a decade. Labels are in the prefix of the axis where the unit takes any ("0.1",
+/// "10" of "Frequency / kHz"), else "10⁻³".
 class DecadeTicker : public QCPAxisTicker
 {
 public:
@@ -49,6 +50,7 @@ protected:
 private:
     PlotAxis m_axis;
     QCPRange m_range;
+    AxisPrefix m_prefix;
     bool m_decadesOnly = false;
     int m_mostTicks = std::numeric_limits<int>::max();
 };

@@ -51,6 +51,14 @@ AxisPrefix axisPrefix(double lower, double upper, const QString &unit)
     return {std::pow(10.0, exponent), powerOfTen(exponent) + (unit.isEmpty() ? "" : " ")};
 }
 
+AxisPrefix decadePrefix(double lower, double upper, const QString &unit)
+{
+    const double middle = std::sqrt(lower) * std::sqrt(upper);
+    const bool isDrawn = lower > 0.0 && std::isfinite(middle);
+    return isDrawn && takesPrefix(unit) ? prefixOfExponent(engineeringExponent(middle))
+                                        : AxisPrefix{};
+}
+
 QString axisLabel(const QString &quantity, const QString &unit, const AxisPrefix &prefix)
 {
     const QString shown = prefix.symbol + unit;

@@ -24,6 +24,10 @@ bool takesPrefix(const QString &unit);
 /// without prefixes get a power of ten (symbol "10⁻³ ") outside 1e-2..1e5, decibels never.
 AxisPrefix axisPrefix(double lower, double upper, const QString &unit);
 
+/// Prefix for a logarithmic axis: that of its middle, so that its labels read around 1. None for
+/// units without prefixes, whose decades are powers of ten.
+AxisPrefix decadePrefix(double lower, double upper, const QString &unit);
+
 /// "Time / µs"; "Lag" for a quantity without unit.
 QString axisLabel(const QString &quantity, const QString &unit, const AxisPrefix &prefix);
 

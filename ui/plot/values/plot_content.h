@@ -4,6 +4,7 @@
 #pragma once
 
 #include "core/base/index.h"
+#include "ui/plot/values/axis_prefix.h"
 
 #include <QString>
 
@@ -67,6 +68,13 @@ struct PlotAxis
     bool logarithmic = false;
     bool integers = false; ///< tick labels are whole numbers (orders, lags)
 };
+
+/// That of title and ticks of an axis that shows this range.
+inline AxisPrefix prefixOf(const PlotAxis &axis, double lower, double upper)
+{
+    return axis.logarithmic ? decadePrefix(lower, upper, axis.unit)
+                            : axisPrefix(lower, upper, axis.unit);
+}
 
 /// A labelled vertical tick, e.g. a resonance found; `label` is drawn beside it.
 struct PlotMark

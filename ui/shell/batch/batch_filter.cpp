@@ -4,6 +4,7 @@
 #include "ui/shell/batch/batch_filter.h"
 
 #include "ui/shell/batch/batch_model.h"
+#include "ui/shell/batch/batch_words.h"
 #include "ui/text/shown_text.h"
 
 #include <algorithm>
@@ -48,11 +49,12 @@ bool BatchFilter::filterAcceptsRow(int row, const QModelIndex &) const
     const SensorNow &sensor = m_model.sensor(row);
     if (m_state && shownState(sensor) != *m_state)
         return false;
-    const auto holds = [this](const std::string &text) {
-        return shownText(text).contains(m_text, Qt::CaseInsensitive);
-    };
-    return m_text.isEmpty() || holds(sensor.standing.id) || holds(sensor.standing.record.reason)
-        || std::ranges::any_of(sensor.standing.record.findings, holds, &FindingMark::id);
+    const auto holds
+        = [this](const QString &text) { return text.contains(m_text, Qt::CaseInsensitive); };
+    const SensorOutcome &record = sensor.standing.record;
+    return m_text.isEmpty() || holds(shownText(sensor.standing.id)) || holds(reasonText(record))
+        || std::ranges::any_of(
+            record.findings, [&](const FindingMark &mark) { return holds(shownText(mark.id)); });
 }
 
 bool BatchFilter::lessThan(const QModelIndex &left, const QModelIndex &right) const
@@ -69,7 +71,7 @@ bool BatchFilter::lessThan(const QModelIndex &left, const QModelIndex &right) co
     case BatchModel::Sensitivity:
         return valueOf(a, "sensitivity") < valueOf(b, "sensitivity");
     case BatchModel::Reason:
-        return a.standing.record.reason < b.standing.record.reason;
+        return reasonText(a.standing.record) < reasonText(b.standing.record);
     default:
         return isWorse(a, b);
     }

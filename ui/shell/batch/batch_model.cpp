@@ -74,7 +74,7 @@ QString BatchModel::textOf(const SensorNow &sensor, int column) const
     case Worst:
         return worstFindingText(record);
     default:
-        return shownText(record.reason);
+        return reasonText(record);
     }
 }
 

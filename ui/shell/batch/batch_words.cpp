@@ -5,6 +5,7 @@
 
 #include "core/base/constants.h"
 #include "core/base/rounding.h"
+#include "ui/text/core_text.h"
 #include "ui/text/finding_text.h"
 #include "ui/text/quantity_format.h"
 #include "ui/text/shown_text.h"
@@ -140,13 +141,18 @@ QString worstFindingText(const SensorOutcome &record)
     return others > 0 ? Words::tr("%1 (and %2 more)").arg(text).arg(others) : text;
 }
 
+QString reasonText(const SensorOutcome &record)
+{
+    return record.said.text.empty() ? shownText(record.reason) : translated(record.said.message());
+}
+
 QString recordText(const SensorNow &sensor)
 {
     const SensorOutcome &record = sensor.standing.record;
     QStringList lines{
         shownText(sensor.standing.id) + QStringLiteral(": ") + stateWord(shownState(sensor))};
     if (!record.reason.empty())
-        lines << shownText(record.reason);
+        lines << reasonText(record);
     for (const StatedResult &result : record.results)
         lines << shownText(result.quantity) + QStringLiteral(" = ") + resultText(result)
                 + (result.k ? Words::tr(" (k = %1)").arg(shownNumber(*result.k, 3)) : QString());

@@ -30,6 +30,9 @@ QString keyResultText(const SensorOutcome &record, const char *quantity);
 /// "■ CAP-003, shot 2"; with the number of further findings that somebody must see.
 QString worstFindingText(const SensorOutcome &record);
 
+/// Why there are no results, in the window's language.
+QString reasonText(const SensorOutcome &record);
+
 /// Everything the record says, for a tool tip: reason, key results with k, ids of findings.
 QString recordText(const SensorNow &sensor);
 

@@ -345,7 +345,7 @@ bool FileActions::saveTo(const QString &path, const ProjectFileHash &expected)
             tr("The recordings are still being read for their hashes, which the project keeps; try again in a moment."));
         return false;
     }
-    const ProjectAccess access = accessTo(path, m_holds.request());
+    const ProjectAccess access = accessToSave(path, m_holds.request());
     if (access.readOnly) {
         m_prompts.showProblem(m_window, translated(*access.readOnly));
         return false;

@@ -52,22 +52,37 @@ Message isHeld(const std::string &project, const ProjectHolder &other)
         {project, other.name, other.machine, other.sinceUtc}};
 }
 
+ProjectAccess accessAt(const QString &place, const QString &name, const HoldRequest &request)
+{
+    if (request.own && request.own->file() == place)
+        return {request.own, {}};
+    if (!request.who)
+        return {};
+    const HoldAnswer answer = HoldAnswer::at(place, *request.who);
+    if (answer.other)
+        return {{}, isHeld(name.toStdString(), *answer.other)};
+    return {answer.hold, {}};
+}
+
 } // namespace
 
 ProjectAccess accessTo(const QString &project, const HoldRequest &request)
 {
     const QFileInfo file(project);
-    const std::string name = file.fileName().toStdString();
-    if (const qint64 number = certificateOf(file); number > 0)
-        return {{}, isFrozen(name, number)};
-    if (request.own && holdFile(request.own->project()) == holdFile(project))
-        return {request.own, {}};
-    if (!request.who)
-        return {};
-    const HoldAnswer answer = HoldAnswer::of(project, *request.who);
-    if (answer.other)
-        return {{}, isHeld(name, *answer.other)};
-    return {answer.hold, {}};
+    const QFileInfo target(file.canonicalFilePath());
+    const qint64 number = certificateOf(target.exists() ? target : file);
+    if (number > 0)
+        return {{}, isFrozen(file.fileName().toStdString(), number)};
+    return accessAt(holdFile(project), file.fileName(), request);
+}
+
+ProjectAccess accessToSave(const QString &project, const HoldRequest &request)
+{
+    ProjectAccess access = accessTo(project, request);
+    const QString written = writtenHoldFile(project);
+    if (access.readOnly || written == holdFile(project))
+        return access;
+    return accessAt(written, QFileInfo(project).fileName(), request);
 }
 
 Result<OpenedProject> openedProject(const QString &path, const QStringList &otherFolders,

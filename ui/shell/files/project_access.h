@@ -27,6 +27,10 @@ struct ProjectAccess
 /// certificate (manifest.json lies beside it).
 ProjectAccess accessTo(const QString &project, const HoldRequest &request);
 
+/// Of a project that is about to be saved under this name: nobody else has open what the name leads
+/// to, and the hold is on the file that is written.
+ProjectAccess accessToSave(const QString &project, const HoldRequest &request);
+
 /// A project as it was opened.
 struct OpenedProject
 {

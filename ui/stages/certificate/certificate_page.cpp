@@ -159,14 +159,10 @@ QWidget *CertificatePage::withNote(const std::string &key, QLineEdit *edit)
     note->setObjectName("note_" + rawText(key));
     note->setWordWrap(true);
     note->hide();
-    auto *row = new QHBoxLayout;
-    row->addWidget(edit);
-    if (isDate(key)) {
-        auto *calendar = new CalendarButton(*edit, box);
-        calendar->setObjectName("calendar_" + rawText(key));
-        row->addWidget(calendar);
-    }
-    column->addLayout(row);
+    if (isDate(key))
+        column->addLayout(rowWithCalendar(*edit, "calendar_" + rawText(key)));
+    else
+        column->addWidget(edit);
     column->addWidget(note);
     m_notes.emplace_back(key, note);
     return box;

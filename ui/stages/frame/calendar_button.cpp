@@ -91,4 +91,14 @@ void CalendarButton::take(const QString &text)
     emit m_field.editingFinished();
 }
 
+QHBoxLayout *rowWithCalendar(QLineEdit &field, const QString &buttonName)
+{
+    auto *row = new QHBoxLayout;
+    row->addWidget(&field);
+    auto *calendar = new CalendarButton(field);
+    calendar->setObjectName(buttonName);
+    row->addWidget(calendar);
+    return row;
+}
+
 } // namespace dyncal

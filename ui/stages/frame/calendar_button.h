@@ -6,6 +6,7 @@
 #include <QToolButton>
 
 class QDate;
+class QHBoxLayout;
 class QLineEdit;
 
 namespace dyncal {
@@ -26,5 +27,8 @@ private:
 
     QLineEdit &m_field;
 };
+
+/// A row of the field and its calendar, whose button gets this object name.
+QHBoxLayout *rowWithCalendar(QLineEdit &field, const QString &buttonName);
 
 } // namespace dyncal

@@ -22,8 +22,9 @@ constexpr int kReachDigits = 4;
 /// The unit that the axis is labelled with.
 ShownUnit axisUnit(const PlotWidget &plot)
 {
-    const QString &unit = plot.content().xAxis.unit;
-    const AxisPrefix prefix = axisPrefix(plot.xRange().begin, plot.xRange().end, unit);
+    const PlotAxis &axis = plot.content().xAxis;
+    const QString &unit = axis.unit;
+    const AxisPrefix prefix = prefixOf(axis, plot.xRange().begin, plot.xRange().end);
     if (!takesPrefix(unit))
         return {unit, 1.0};
     return {prefix.symbol + unit, prefix.factor};

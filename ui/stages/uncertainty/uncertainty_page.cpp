@@ -14,6 +14,7 @@
 #include "ui/stages/uncertainty/correlation_panel.h"
 #include "ui/stages/uncertainty/earlier_panel.h"
 #include "ui/stages/uncertainty/share_bar.h"
+#include "ui/stages/uncertainty/stated_panel.h"
 #include "ui/stages/uncertainty/what_if_panel.h"
 #include "ui/text/quantity_format.h"
 
@@ -59,6 +60,7 @@ UncertaintyPage::UncertaintyPage(Session &session, Prompts &prompts)
     m_panel = new WhatIfPanel(session, *inspector(), this);
     buildWanted();
     m_earlier = new EarlierPanel(session, prompts, *inspector(), this);
+    new StatedPanel(session, *inspector(), this);
     new CorrelationPanel(session, *inspector(), this);
     new CapabilityPanel(session, *inspector(), this);
     connect(m_panel, &WhatIfPanel::changed, this, &UncertaintyPage::showBudgets);

@@ -107,6 +107,25 @@ private slots:
         QVERIFY(!fs::exists(path));
     }
 
+    /// What it led to stays, whatever stands there.
+    void linkToAnUnchangedFile_isReplaced()
+    {
+        const ScratchFolder place;
+        const std::string path = place.file("link.dyncal");
+        QVERIFY(write(place.file("job.dyncal"), kReplaced, "one"));
+        fs::create_symlink("job.dyncal", path);
+        const auto other = replaceUnchangedFile(path, "two", sha256Hex("other"));
+        QVERIFY(!other && other.error().findingId == kChangedMeanwhile);
+        QVERIFY(fs::is_symlink(path));
+        QVERIFY(replaceUnchangedFile(path, "two", sha256Hex("one")));
+        QVERIFY(!fs::is_symlink(path));
+        QCOMPARE(contentOf(path), std::string("two"));
+        QCOMPARE(contentOf(place.file("job.dyncal")), std::string("one"));
+        fs::create_symlink("nowhere", place.file("dangling"));
+        QVERIFY(!replaceUnchangedFile(place.file("dangling"), "two", sha256Hex("one")));
+        QVERIFY(!replaceUnchangedFile(place.file("dangling"), "two", std::nullopt));
+    }
+
     void replacedFile_keepsItsPermissions()
     {
         const ScratchFolder place;

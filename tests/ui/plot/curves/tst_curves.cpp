@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Dyncal authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+#include "core/model_analysis/stated_characteristics.h"
 #include "tests/support/example_results.h"
 #include "tests/support/test_program.h"
 #include "ui/plot/curves/component_curves.h"
@@ -10,6 +11,7 @@
 #include "ui/plot/curves/signal_curves.h"
 #include "ui/report/report_figures.h"
 
+#include <QRegularExpression>
 #include <QtTest>
 
 #include <algorithm>
@@ -97,6 +99,8 @@ private slots:
     void bode_units_andBars();
     void bode_saysWhatIsWithheld();
     void step_ofModel_followsClosedForm();
+    void step_hasLinesForItsOvershoot();
+    void phase_withAnotherZeroThanTheModels_saysSo();
     void step_ofImpulseModel_isIntegral();
     void figures_ofAllResults_haveUniqueIdsAndTexts();
     void figures_ofPartialResults_areFewer();
@@ -432,6 +436,33 @@ void TestCurves::step_ofModel_followsClosedForm()
     for (std::size_t i = 0; i < curve.x.size(); i += 37)
         QVERIFY(std::abs(curve.y[i] - dyncal::example::stepResponse(curve.x[i])) < 1e-12);
     QVERIFY(std::abs(curve.y.back() - 1.0) < 0.01);
+}
+
+/// Words without numbers: these stand with their U among the key results.
+void TestCurves::step_hasLinesForItsOvershoot()
+{
+    const auto &response = m_results.response;
+    const auto stated = dyncal::statedCharacteristics(*response).overshoot_percent.value;
+    QVERIFY(stated);
+    const PlotContent content
+        = stepCurves(*m_results.model, ResponseTreatment::StepDeflated, response.get());
+    QCOMPARE(content.levels.size(), std::size_t(2));
+    QVERIFY(std::abs(content.levels[0].y - 1.0) < 1e-6);
+    const auto &y = content.curves[0].y;
+    QVERIFY(std::abs(content.levels[1].y - *std::ranges::max_element(y)) < 0.01);
+    for (const auto &level : content.levels)
+        QVERIFY(!level.label.isEmpty() && !level.label.contains(QRegularExpression("\\d")));
+    dyncal::ResponseResult none = *response;
+    none.characteristics = {};
+    QVERIFY(stepCurves(*m_results.model, ResponseTreatment::StepDeflated, &none).levels.empty());
+}
+
+void TestCurves::phase_withAnotherZeroThanTheModels_saysSo()
+{
+    dyncal::ResponseResult response = *m_results.response;
+    QCOMPARE(bodePhaseCurves(response).curves[0].name, QString("Model"));
+    response.isByTransducer = true;
+    QCOMPARE(bodePhaseCurves(response).curves[0].name, QString("Model, from its own onset"));
 }
 
 void TestCurves::step_ofImpulseModel_isIntegral()

@@ -105,6 +105,7 @@ private slots:
     void initTestCase() { QLocale::setDefault(QLocale::c()); }
     void prefix_ofRange_readsOneToThousand_data();
     void prefix_ofRange_readsOneToThousand();
+    void prefix_ofDecades_isThatOfTheirMiddle();
     void label_withAndWithoutUnit_isWritten();
     void power_ofTen_usesSuperscripts();
     void value_withUnit_hasDigitsAskedFor();
@@ -158,6 +159,16 @@ void TestPlotLook::prefix_ofRange_readsOneToThousand()
     constexpr double kRounding = 1e-12; // of pow(10, n)
     QVERIFY(std::abs(prefix.factor / factor - 1.0) < kRounding);
     QTEST(prefix.symbol, "symbol");
+}
+
+void TestPlotLook::prefix_ofDecades_isThatOfTheirMiddle()
+{
+    QCOMPARE(dyncal::decadePrefix(1e3, 1e7, "Hz").symbol, QString("k"));
+    QCOMPARE(dyncal::decadePrefix(2e6, 9e6, "Hz").symbol, QString("M"));
+    QCOMPARE(dyncal::decadePrefix(1e-6, 1e-4, "V/Pa").symbol, QString("µ"));
+    for (const AxisPrefix &none : {dyncal::decadePrefix(1e-9, 1e-3, "V²/Hz"),
+             dyncal::decadePrefix(0.0, 1e6, "Hz"), dyncal::decadePrefix(1e3, HUGE_VAL, "Hz")})
+        QCOMPARE(none, AxisPrefix());
 }
 
 void TestPlotLook::label_withAndWithoutUnit_isWritten()

@@ -78,6 +78,25 @@ class TestBatchTable : public QObject
     Q_OBJECT
 
 private slots:
+    /// Also those that another language's program has written down.
+    void reason_isInTheLanguageOfTheWindow()
+    {
+        BatchMoment moment = allStates();
+        SensorOutcome &record = moment.sensors[4].standing.record;
+        record.said = {"%1: %M1", {"CAP-018"},
+            {{"%1 does not exist; check the name and the folder.", {"a.h5"}}}};
+        record.reason = english(record.said.message());
+        QCOMPARE(record.reason,
+            std::string("CAP-018: a.h5 does not exist; check the name and the folder."));
+        const QString swedish("CAP-018: a.h5 finns inte; kontrollera namnet och mappen.");
+        Bench bench(moment, "sv");
+        QCOMPARE(bench.column(BatchModel::Reason).first(), swedish);
+        QVERIFY(
+            bench.view->model()->index(0, 0).data(Qt::ToolTipRole).toString().contains(swedish));
+        bench.type("finns inte");
+        QCOMPARE(bench.column(BatchModel::Sensor), QStringList{"e"});
+    }
+
     void worst_standsFirst()
     {
         const Bench bench(allStates());

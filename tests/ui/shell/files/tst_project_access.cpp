@@ -88,6 +88,9 @@ private slots:
     void openedAgain_onceItIsClosedThere();
     void whoLeavesAProject_givesItBack();
     void savedUnderAHeldName_isRefused();
+    void savedOverALink_isHeldWhereItIsWritten();
+    void openedThroughALink_isHeldWhereItIsSaved();
+    void issuedProjectBehindALink_isReadOnlyToo();
     void openedTwiceInOneWindow_staysOurs();
     void restoredWork_isHeldToo();
     void withoutAName_nobodyIsTold();
@@ -187,6 +190,57 @@ void TestProjectAccess::savedUnderAHeldName_isRefused()
     QVERIFY(bert.prompts.shownProblems().last().contains("anna"));
     QCOMPARE(bytesOf(project()), before);
     QVERIFY(bert.files().projectPath().isEmpty());
+}
+
+/// A save replaces a link by the project: the file that it led to is another, and free.
+void TestProjectAccess::savedOverALink_isHeldWhereItIsWritten()
+{
+    const QString link = m_folder->filePath("link.dyncal");
+    QVERIFY(QFile::link(project(), link));
+    const QByteArray before = bytesOf(project());
+    Person anna("anna");
+    anna.edit("of anna");
+    anna.prompts.setNextFile(link);
+    QVERIFY(anna.files().saveAs());
+    QVERIFY(!QFileInfo(link).isSymLink());
+    QCOMPARE(bytesOf(project()), before);
+    const Person bert("bert");
+    QVERIFY(bert.open(project()) && !bert.isReadOnly());
+    QVERIFY(bert.open(link) && bert.isReadOnly());
+    anna.edit("once more");
+    QVERIFY(anna.files().save());
+    QVERIFY(bert.open(link) && bert.isReadOnly());
+}
+
+void TestProjectAccess::openedThroughALink_isHeldWhereItIsSaved()
+{
+    const QString link = m_folder->filePath("link.dyncal");
+    QVERIFY(QFile::link(project(), link));
+    Person anna("anna");
+    QVERIFY(anna.open(link));
+    Person bert("bert");
+    QVERIFY(bert.open(project()) && bert.isReadOnly());
+    bert.edit("of bert");
+    bert.prompts.setNextFile(link); // anna has it open by this name
+    QVERIFY(!bert.files().saveAs());
+    anna.edit("of anna");
+    QVERIFY(anna.files().save());
+    QVERIFY(bert.open(link) && bert.isReadOnly());
+    QVERIFY(bert.open(project()) && !bert.isReadOnly());
+}
+
+void TestProjectAccess::issuedProjectBehindALink_isReadOnlyToo()
+{
+    const QString folder = m_folder->filePath("1");
+    QVERIFY(QDir().mkpath(folder));
+    QVERIFY(QFile::copy(project(), folder + "/project.dyncal"));
+    writeBytes(folder + "/manifest.json",
+        R"({"schema": "dyncal-manifest/1", "number": 1, "files": {"project.dyncal": ""}})");
+    const QString link = m_folder->filePath("link.dyncal");
+    QVERIFY(QFile::link(folder + "/project.dyncal", link));
+    const Person anna("anna");
+    QVERIFY(anna.open(link) && anna.isReadOnly());
+    QVERIFY(!QFile::exists(holdFile(link))); // nothing is added to what was issued
 }
 
 void TestProjectAccess::openedTwiceInOneWindow_staysOurs()
