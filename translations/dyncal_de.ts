@@ -728,12 +728,12 @@
         <translation>%1 eines Aufnehmers über der Zeit, mit U; %2 von %3 Kalibrierungen sind auffällig.</translation>
     </message>
     <message>
-        <source>settled</source>
-        <translation>eingeschwungen</translation>
+        <source>final value</source>
+        <translation>Endwert</translation>
     </message>
     <message>
-        <source>settled and overshoot</source>
-        <translation>eingeschwungen und Überschwingen</translation>
+        <source>final value + overshoot</source>
+        <translation>Endwert + Überschwingen</translation>
     </message>
     <message>
         <source>Model, from its own onset</source>
@@ -1978,7 +1978,7 @@
     </message>
     <message>
         <source>Driver pressure</source>
-        <translation>Treiber­druck</translation>
+        <translation>Druck im Hochdruckteil</translation>
     </message>
     <message>
         <source>Sensitivity, shot against shots</source>
@@ -4190,7 +4190,7 @@
     </message>
     <message>
         <source>Signal to noise is the output step over the standard deviation of the noise before it. Rise time 10 % to 90 %; settling to within 5 % of the step; a dash where the record does not show it. These are read from single records, whose noise raises overshoot and settling time; those of the sensor are the key results. Values without an uncertainty have none that is known: they have three significant digits.</source>
-        <translation>Der Rauschabstand ist der Sprung am Ausgang, bezogen auf die Standardabweichung des Rauschens davor. Anstiegszeit 10 % bis 90 %; Einschwingen auf 5 % des Sprungs; ein Strich, wo die Aufzeichnung sie nicht zeigt. Diese Werte sind aus einzelnen Aufzeichnungen abgelesen, deren Rauschen Überschwingen und Einschwingzeit erhöht; die des Aufnehmers sind die wichtigsten Ergebnisse. Werte ohne Unsicherheit haben keine, die bekannt wäre: Sie haben drei signifikante Stellen.</translation>
+        <translation>Der Rauschabstand ist der Sprung am Ausgang, bezogen auf die Standardabweichung des Rauschens davor. Anstiegszeit 10 % bis 90 %; Einschwingen auf 5 % des Sprungs; ein Strich, wo die Aufzeichnung sie nicht zeigt. Diese Werte sind aus einzelnen Aufzeichnungen abgelesen, deren Rauschen Überschwingen und Einschwingzeit erhöht; die des Aufnehmers stehen unter den Hauptergebnissen. Werte ohne Unsicherheit haben keine, die bekannt wäre: Sie haben drei signifikante Stellen.</translation>
     </message>
     <message>
         <source>%M1: %L1 from %L2 on</source>

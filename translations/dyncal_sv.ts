@@ -2588,12 +2588,12 @@ steget</translation>
         <translation>%1 hos en givare över tid, med U; %2 av %3 kalibreringar avviker.</translation>
     </message>
     <message>
-        <source>settled</source>
-        <translation>insvängd</translation>
+        <source>final value</source>
+        <translation>slutvärde</translation>
     </message>
     <message>
-        <source>settled and overshoot</source>
-        <translation>insvängd och översväng</translation>
+        <source>final value + overshoot</source>
+        <translation>slutvärde + översväng</translation>
     </message>
     <message>
         <source>Model, from its own onset</source>

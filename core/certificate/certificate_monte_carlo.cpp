@@ -100,10 +100,11 @@ std::optional<CertificateTable> monteCarloTable(
         const auto interval = otherInterval(results, *drawn, quantity);
         if (!interval || !quantity.isResult())
             continue;
-        const double half = 0.5 * (interval->high - interval->low);
+        // A digit more than U has, or its ends could read as those of value -+ U.
+        const double digits = 0.05 * (interval->high - interval->low);
         table.rows.push_back(
-            {quantity.label, inNumbers(roundedText(interval->low, half, quantity.unit)),
-                inNumbers(roundedText(interval->high, half, quantity.unit))});
+            {quantity.label, inNumbers(roundedText(interval->low, digits, quantity.unit)),
+                inNumbers(roundedText(interval->high, digits, quantity.unit))});
     }
     return table.rows.empty() ? std::nullopt : std::optional(std::move(table));
 }

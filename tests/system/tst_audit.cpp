@@ -68,7 +68,7 @@ private:
     void tellsMoved(
         const QString &capture, const QString &name, int count, const QStringList &words) const
     {
-        const int every = dyncal::trials::count(4, 1);
+        const int every = dyncal::trials::count(6, 1);
         const PythonAnswer told = scriptOf("moved_numbers.py",
             QStringList{"--every", QString::number(every), path(capture), path(name)} + words);
         QVERIFY2(told.ran, told.out + told.err);

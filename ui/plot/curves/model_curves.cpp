@@ -154,9 +154,9 @@ void addOvershoot(const ResponseResult &response, double settled, PlotContent &c
     const auto overshoot_percent = statedCharacteristics(response).overshoot_percent.value;
     if (!overshoot_percent)
         return;
-    content.levels.push_back({settled, Plots::tr("settled"), CurveRole::Reference});
+    content.levels.push_back({settled, Plots::tr("final value"), CurveRole::Reference});
     content.levels.push_back({settled * (1.0 + 0.01 * *overshoot_percent),
-        Plots::tr("settled and overshoot"), CurveRole::Reference});
+        Plots::tr("final value + overshoot"), CurveRole::Reference});
 }
 
 } // namespace

@@ -62,7 +62,9 @@ AxisPrefix decadePrefix(double lower, double upper, const QString &unit)
 QString axisLabel(const QString &quantity, const QString &unit, const AxisPrefix &prefix)
 {
     const QString shown = prefix.symbol + unit;
-    return shown.isEmpty() ? quantity : quantity + " / " + shown;
+    const bool isCompound = shown.contains('/') || shown.contains(' ');
+    return shown.isEmpty() ? quantity
+                           : quantity + " / " + (isCompound ? '(' + shown + ')' : shown);
 }
 
 QLocale plotLocale()

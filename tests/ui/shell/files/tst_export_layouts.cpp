@@ -10,6 +10,7 @@
 #include "tests/system/random_layout.h"
 #include "tests/system/short_capture.h"
 #include "tests/ui/shell/window_bench.h"
+#include "tests/ui/support/quick_pipeline.h"
 
 #include <QFileInfo>
 #include <QtTest>
@@ -44,7 +45,7 @@ fs::path placeOf(const fs::path &path)
 struct Bench : dyncal::test::WindowBench
 {
     Bench()
-        : WindowBench(dyncal::runPipeline)
+        : WindowBench(dyncal::test::quickPipeline())
     {
         window->show();
         window->keepWork(folder.filePath("recovery"), {std::chrono::milliseconds(20)});
