@@ -52,8 +52,8 @@ int exitCodeOf(const BatchTally &tally)
 
 std::vector<SensorStanding> inTheLanguageAsked(std::vector<SensorStanding> standings)
 {
-    for (SensorOutcome &record : standings | std::views::transform(&SensorStanding::record))
-        record.reason = spoken(record.said, record.reason);
+    for (SensorStanding &standing : standings)
+        standing.record.reason = spoken(standing.record.said, standing.record.reason);
     return standings;
 }
 
