@@ -4320,5 +4320,77 @@
         <source>The phase without a model counts from the pressure at the reference transducer, that of the model from the item&apos;s own onset: the two may differ in proportion to the frequency.</source>
         <translation>Die Phase ohne Modell zählt ab dem Druck am Referenzaufnehmer, die des Modells ab dem eigenen Einsatz des Kalibriergegenstands: Beide können sich proportional zur Frequenz unterscheiden.</translation>
     </message>
+    <message>
+        <source>captures</source>
+        <translation>Aufzeichnungen</translation>
+    </message>
+    <message>
+        <source>expected shock</source>
+        <translation>erwartete Stoßwelle</translation>
+    </message>
+    <message>
+        <source>window</source>
+        <translation>Fenster</translation>
+    </message>
+    <message>
+        <source>spectrum</source>
+        <translation>Spektrum</translation>
+    </message>
+    <message>
+        <source>components</source>
+        <translation>Komponenten</translation>
+    </message>
+    <message>
+        <source>model input</source>
+        <translation>Eingang des Modells</translation>
+    </message>
+    <message>
+        <source>decomposition</source>
+        <translation>Zerlegung</translation>
+    </message>
+    <message>
+        <source>model</source>
+        <translation>Modell</translation>
+    </message>
+    <message>
+        <source>shock</source>
+        <translation>Stoßwelle</translation>
+    </message>
+    <message>
+        <source>reference transducer</source>
+        <translation>Referenzaufnehmer</translation>
+    </message>
+    <message>
+        <source>response</source>
+        <translation>Frequenzgang</translation>
+    </message>
+    <message>
+        <source>checks</source>
+        <translation>Vergleiche</translation>
+    </message>
+    <message>
+        <source>model assessment</source>
+        <translation>Beurteilung des Modells</translation>
+    </message>
+    <message>
+        <source>uncertainty</source>
+        <translation>Unsicherheit</translation>
+    </message>
+    <message>
+        <source>comparison</source>
+        <translation>Vergleichskalibrierung</translation>
+    </message>
+    <message>
+        <source>evidence</source>
+        <translation>Belege zur Ordnung</translation>
+    </message>
+    <message>
+        <source>Monte Carlo</source>
+        <translation>Monte Carlo</translation>
+    </message>
+    <message>
+        <source>Monte Carlo of the chain</source>
+        <translation>Monte Carlo der Kette</translation>
+    </message>
 </context>
 </TS>

@@ -17,7 +17,6 @@
 #include <filesystem>
 #include <iostream>
 #include <memory>
-#include <ranges>
 
 namespace dyncal {
 namespace {

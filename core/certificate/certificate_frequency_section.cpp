@@ -324,21 +324,21 @@ void addNotes(const ResponseResult &response, std::size_t rows, CertificateSecti
             {DYNCAL_TEXT("core",
                  "The band also ends where the response of amplifier and converter, which is divided out, is not stated."),
                 {}});
-    if (response.isByTransducer)
+    if (response.isByTransducer) {
         section.notes.push_back(
             {DYNCAL_TEXT("core",
                  "The values without a model are ratios of the item's record to that of the reference transducer, times its sensitivity; outside the frequencies of its calibration there are none. Where what sampling or the end of the records may change exceeds both the uncertainty of the noise and 2 % of the magnitude, none is stated."),
                 {}});
-    if (response.isByTransducer)
         section.notes.push_back(
             {DYNCAL_TEXT("core",
                  "The phase without a model counts from the pressure at the reference transducer, that of the model from the item's own onset: the two may differ in proportion to the frequency."),
                 {}});
-    else
+    } else {
         section.notes.push_back(
             {DYNCAL_TEXT("core",
                  "The values without a model take nothing from it but the zero of time and, where there are any, the drift and what was taken out of the records. Where what sampling or the end of the records may change exceeds both the uncertainty of the noise and 2 % of the magnitude, none is stated; for the sampling it is assumed that above half the sample rate the response is nowhere stronger than just below."),
                 {}});
+    }
     if (response.front.duration_s > 0.0 && !response.isByTransducer)
         section.notes.push_back(
             {DYNCAL_TEXT("core",

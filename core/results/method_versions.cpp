@@ -14,6 +14,14 @@ std::string methodKey(std::string name)
     return name;
 }
 
+std::optional<StageId> stageOfMethod(std::string_view key)
+{
+    for (int i = 0; i < kStageCount; ++i)
+        if (const auto id = static_cast<StageId>(i); methodKey(stageName(id)) == key)
+            return id;
+    return std::nullopt;
+}
+
 MethodVersions methodVersions()
 {
     MethodVersions versions;

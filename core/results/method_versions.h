@@ -3,8 +3,12 @@
 
 #pragma once
 
+#include "core/pipeline/calibration_results.h"
+
 #include <map>
+#include <optional>
 #include <string>
+#include <string_view>
 
 namespace dyncal {
 
@@ -16,5 +20,8 @@ MethodVersions methodVersions();
 
 /// The name of a stage as results.json has it: "Monte Carlo" -> "monte_carlo".
 std::string methodKey(std::string name);
+
+/// The stage whose name has this key; empty if there is none.
+std::optional<StageId> stageOfMethod(std::string_view key);
 
 } // namespace dyncal

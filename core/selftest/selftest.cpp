@@ -32,10 +32,8 @@ constexpr double kShareOfChecks = 0.2; ///< of the time, where there is a covera
 /// Place of a step in the method; what is checked beside its stages comes last.
 Index placeOf(std::string_view step)
 {
-    for (int i = 0; i < kStageCount; ++i)
-        if (methodKey(stageName(static_cast<StageId>(i))) == step)
-            return i;
-    return kStageCount;
+    const std::optional<StageId> stage = stageOfMethod(step);
+    return stage ? static_cast<Index>(*stage) : kStageCount;
 }
 
 Result<std::vector<SelfCheck>> checksCarriedOut(const JobControl &control)

@@ -3,25 +3,18 @@
 
 #include "core/selftest/step_words.h"
 
+#include "core/pipeline/stage_table.h"
 #include "core/results/method_versions.h"
 
 #include <algorithm>
 #include <array>
+#include <string_view>
 
 namespace dyncal {
 namespace {
 
-/// The names of the stages (stage_table.cpp), and what is checked beside them.
-constexpr std::array kSteps{DYNCAL_TEXT("core", "captures"), DYNCAL_TEXT("core", "arrivals"),
-    DYNCAL_TEXT("core", "expected shock"), DYNCAL_TEXT("core", "window"),
-    DYNCAL_TEXT("core", "spectrum"), DYNCAL_TEXT("core", "components"),
-    DYNCAL_TEXT("core", "model input"), DYNCAL_TEXT("core", "decomposition"),
-    DYNCAL_TEXT("core", "model"), DYNCAL_TEXT("core", "shock"),
-    DYNCAL_TEXT("core", "reference transducer"), DYNCAL_TEXT("core", "response"),
-    DYNCAL_TEXT("core", "checks"), DYNCAL_TEXT("core", "model assessment"),
-    DYNCAL_TEXT("core", "uncertainty"), DYNCAL_TEXT("core", "comparison"),
-    DYNCAL_TEXT("core", "evidence"), DYNCAL_TEXT("core", "Monte Carlo"),
-    DYNCAL_TEXT("core", "Monte Carlo of the chain"), DYNCAL_TEXT("core", "reading"),
+/// What is checked beside the stages of the method.
+constexpr std::array kBesideTheStages{DYNCAL_TEXT("core", "reading"),
     DYNCAL_TEXT("core", "correction"), DYNCAL_TEXT("core", "certificate"),
     DYNCAL_TEXT("core", "coverage")};
 
@@ -29,9 +22,11 @@ constexpr std::array kSteps{DYNCAL_TEXT("core", "captures"), DYNCAL_TEXT("core",
 
 Message stepWords(const std::string &step)
 {
-    const auto found
-        = std::ranges::find_if(kSteps, [&](const char *words) { return methodKey(words) == step; });
-    return found == kSteps.end() ? Message{"%1", {step}} : Message{*found, {}};
+    if (const std::optional<StageId> stage = stageOfMethod(step))
+        return {stageName(*stage), {}};
+    const auto found = std::ranges::find(kBesideTheStages, std::string_view(step),
+        [](const char *words) { return std::string_view(words); });
+    return found == kBesideTheStages.end() ? Message{"%1", {step}} : Message{*found, {}};
 }
 
 } // namespace dyncal

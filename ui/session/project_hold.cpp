@@ -120,11 +120,6 @@ QString writtenHoldFile(const QString &project)
     return beside(folder.isEmpty() ? named : QFileInfo(QDir(folder).filePath(named.fileName())));
 }
 
-HoldAnswer HoldAnswer::of(const QString &project, const ProjectHolder &who)
-{
-    return at(holdFile(project), who);
-}
-
 HoldAnswer HoldAnswer::at(const QString &path, const ProjectHolder &who)
 {
     if (auto lock = FileLock::take(path, isLeft)) {

@@ -54,10 +54,9 @@ struct HoldAnswer
     std::shared_ptr<ProjectHold> hold;
     std::optional<ProjectHolder> other; ///< who has it open
 
-    /// Holds a project for `who`, unless somebody else does. A program that was killed holds
-    /// nothing: on this machine at once, on another after kLongestSilence_s.
-    static HoldAnswer of(const QString &project, const ProjectHolder &who);
-    /// The same by the file that says so.
+    /// Holds a project by its holdFile() or writtenHoldFile() for `who`, unless somebody else does.
+    /// A program that was killed holds nothing: on this machine at once, on another after
+    /// kLongestSilence_s.
     static HoldAnswer at(const QString &holdFile, const ProjectHolder &who);
 };
 

@@ -85,37 +85,37 @@ private:
 
 void TestProjectHold::second_isToldByWhom()
 {
-    const HoldAnswer first = HoldAnswer::of(project(), kAnna);
+    const HoldAnswer first = HoldAnswer::at(holdFile(project()), kAnna);
     QVERIFY(first.hold && !first.other);
-    const HoldAnswer second = HoldAnswer::of(project(), kBert);
+    const HoldAnswer second = HoldAnswer::at(holdFile(project()), kBert);
     QVERIFY(!second.hold && second.other);
     QVERIFY(*second.other == kAnna);
-    const HoldAnswer third = HoldAnswer::of(project(), kBert);
+    const HoldAnswer third = HoldAnswer::at(holdFile(project()), kBert);
     QVERIFY(!third.hold && third.other && *third.other == kAnna); // still
 }
 
 void TestProjectHold::givenBack_leavesNothing()
 {
-    HoldAnswer first = HoldAnswer::of(project(), kAnna);
+    HoldAnswer first = HoldAnswer::at(holdFile(project()), kAnna);
     QCOMPARE(names(), (QStringList{".job.dyncal.held", "job.dyncal"}));
     first.hold.reset();
     QCOMPARE(names(), QStringList{"job.dyncal"});
-    QVERIFY(HoldAnswer::of(project(), kBert).hold);
+    QVERIFY(HoldAnswer::at(holdFile(project()), kBert).hold);
 }
 
 void TestProjectHold::otherProject_isFree()
 {
-    const HoldAnswer first = HoldAnswer::of(project(), kAnna);
-    QVERIFY(HoldAnswer::of(m_folder->filePath("other.dyncal"), kBert).hold);
+    const HoldAnswer first = HoldAnswer::at(holdFile(project()), kAnna);
+    QVERIFY(HoldAnswer::at(holdFile(m_folder->filePath("other.dyncal")), kBert).hold);
 }
 
 void TestProjectHold::everyNameOfAProject_isTheSame()
 {
     QVERIFY(QFile::link(project(), m_folder->filePath("link.dyncal")));
     QVERIFY(QDir(m_folder->path()).mkdir("below"));
-    const HoldAnswer first = HoldAnswer::of(project(), kAnna);
-    QVERIFY(HoldAnswer::of(m_folder->filePath("link.dyncal"), kBert).other);
-    QVERIFY(HoldAnswer::of(m_folder->filePath("below/../job.dyncal"), kBert).other);
+    const HoldAnswer first = HoldAnswer::at(holdFile(project()), kAnna);
+    QVERIFY(HoldAnswer::at(holdFile(m_folder->filePath("link.dyncal")), kBert).other);
+    QVERIFY(HoldAnswer::at(holdFile(m_folder->filePath("below/../job.dyncal")), kBert).other);
 }
 
 void TestProjectHold::holderKilled_isFreeAtOnce()
@@ -124,7 +124,7 @@ void TestProjectHold::holderKilled_isFreeAtOnce()
     QCOMPARE(::pipe(told), 0);
     const pid_t child = ::fork();
     if (child == 0) {
-        const HoldAnswer answer = HoldAnswer::of(project(), kAnna);
+        const HoldAnswer answer = HoldAnswer::at(holdFile(project()), kAnna);
         const char word = answer.hold ? 'y' : 'n';
         if (::write(told[1], &word, 1) == 1)
             ::pause();
@@ -134,11 +134,11 @@ void TestProjectHold::holderKilled_isFreeAtOnce()
     char word = 0;
     QCOMPARE(::read(told[0], &word, 1), ssize_t(1));
     QCOMPARE(word, 'y');
-    QVERIFY(*HoldAnswer::of(project(), kBert).other == kAnna);
+    QVERIFY(*HoldAnswer::at(holdFile(project()), kBert).other == kAnna);
     ::kill(child, SIGKILL);
     ::waitpid(child, nullptr, 0);
     QCOMPARE(names().size(), 2);
-    QVERIFY(HoldAnswer::of(project(), kBert).hold);
+    QVERIFY(HoldAnswer::at(holdFile(project()), kBert).hold);
     QCOMPARE(names(), QStringList{"job.dyncal"});
 }
 
@@ -147,7 +147,7 @@ void TestProjectHold::otherMachine_holdsAsLongAsItGivesSigns()
 {
     writeForeign(holdFile(project()), kAnna, kLongestSilence_s - 5);
     for (int i = 0; i < 3; ++i) { // asking is no sign of it
-        const HoldAnswer answer = HoldAnswer::of(project(), kBert);
+        const HoldAnswer answer = HoldAnswer::at(holdFile(project()), kBert);
         QVERIFY(!answer.hold && answer.other);
         QVERIFY(*answer.other == kAnna);
     }
@@ -160,14 +160,14 @@ void TestProjectHold::otherMachine_holdsAsLongAsItGivesSigns()
 void TestProjectHold::silentMachine_isTakenOverAndItsHoldStaysOurs()
 {
     writeForeign(holdFile(project()), kAnna, kLongestSilence_s + 5);
-    const HoldAnswer taken = HoldAnswer::of(project(), kBert);
+    const HoldAnswer taken = HoldAnswer::at(holdFile(project()), kBert);
     QVERIFY(taken.hold);
-    QVERIFY(*HoldAnswer::of(project(), kAnna).other == kBert);
+    QVERIFY(*HoldAnswer::at(holdFile(project()), kAnna).other == kBert);
 }
 
 void TestProjectHold::beat_isASign()
 {
-    const HoldAnswer first = HoldAnswer::of(project(), kAnna);
+    const HoldAnswer first = HoldAnswer::at(holdFile(project()), kAnna);
     const QByteArray path = holdFile(project()).toLocal8Bit();
     const std::array<timespec, 2> old{timespec{1000, 0}, timespec{1000, 0}};
     QVERIFY(::utimensat(AT_FDCWD, path.constData(), old.data(), 0) == 0);
@@ -185,16 +185,17 @@ void TestProjectHold::nonsenseInItsPlace_isTakenOver()
         const std::array<timespec, 2> old{timespec{1000, 0}, timespec{1000, 0}};
         QVERIFY(::utimensat(AT_FDCWD, holdFile(project()).toLocal8Bit().constData(), old.data(), 0)
             == 0);
-        QVERIFY(HoldAnswer::of(project(), kAnna).hold);
+        QVERIFY(HoldAnswer::at(holdFile(project()), kAnna).hold);
     }
     QCOMPARE(::mkfifo(holdFile(project()).toLocal8Bit().constData(), 0600), 0);
-    const HoldAnswer answer = HoldAnswer::of(project(), kAnna); // comes to an end
+    const HoldAnswer answer = HoldAnswer::at(holdFile(project()), kAnna); // comes to an end
     QVERIFY(!answer.hold && !answer.other);
 }
 
 void TestProjectHold::folderThatCannotBeWritten_holdsNothing()
 {
-    const HoldAnswer answer = HoldAnswer::of(m_folder->filePath("no/such/job.dyncal"), kAnna);
+    const HoldAnswer answer
+        = HoldAnswer::at(holdFile(m_folder->filePath("no/such/job.dyncal")), kAnna);
     QVERIFY(!answer.hold && !answer.other);
 }
 
