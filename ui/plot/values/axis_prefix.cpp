@@ -63,8 +63,7 @@ QString axisLabel(const QString &quantity, const QString &unit, const AxisPrefix
 {
     const QString shown = prefix.symbol + unit;
     const bool isCompound = shown.contains('/') || shown.contains(' ');
-    return shown.isEmpty() ? quantity
-                           : quantity + " / " + (isCompound ? '(' + shown + ')' : shown);
+    return shown.isEmpty() ? quantity : quantity + " / " + (isCompound ? '(' + shown + ')' : shown);
 }
 
 QLocale plotLocale()
