@@ -4,7 +4,6 @@
 #pragma once
 
 #include "core/model_analysis/step_characteristics.h"
-#include "core/realization/exponentials/exponential_sum.h"
 #include "core/realization/model/sensor_model.h"
 #include "core/signal/signal_settings.h"
 
@@ -14,9 +13,6 @@ namespace dyncal {
 
 /// Half width of the range about the level in which a step response has settled.
 inline constexpr double kSettledRange = 0.05;
-
-/// The sensor's answer to a step of 1, t from the onset: without what drifts slower than it.
-ExponentialSum normalisedStep(const SensorModel &model);
 
 /// Closed: of the continuous model, so that neither rate nor window limits them
 /// (docs/method/response.md). Empty for a free decay and where a pole does not decay.

@@ -6,6 +6,7 @@
 #include "core/base/constants.h"
 #include "core/base/interval.h"
 #include "core/model_analysis/model_characteristics.h"
+#include "core/model_analysis/normalised_step.h"
 #include "core/model_analysis/step_scan.h"
 #include "core/uncertainty/model_noise.h"
 

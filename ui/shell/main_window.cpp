@@ -303,6 +303,7 @@ void MainWindow::buildPages()
         m_centre->addWidget(page);
         m_inspectors->addWidget(new InspectorScroll(page->inspector()));
         connect(page, &StagePage::plotExport, m_files, &FileActions::exportPlot);
+        connect(page, &StagePage::inspectorWanted, m_inspectorDock, &QDockWidget::show);
     }
     connect(m_stageList, &QListWidget::currentRowChanged, this, &MainWindow::showPage);
     connect(m_stageList, &QListWidget::itemClicked, this,

@@ -4,6 +4,7 @@
 #include "tests/support/test_program.h"
 #include "tests/ui/shell/window_bench.h"
 #include "tests/ui/support/sample_results.h"
+#include "ui/plot/widget/plot_widget.h"
 #include "ui/shell/findings/findings_panel.h"
 #include "ui/shell/shortcut_sheet.h"
 #include "ui/stages/frame/stage_page.h"
@@ -113,6 +114,7 @@ private slots:
     void next_narrowWindow_isNotCut();
     void keyResults_areAlwaysInView();
     void everyControl_saysWhatItDoes();
+    void markedStretch_opensTheInspectorThatAsksForItsReason();
     void toolBar_hasSignsAndKeys();
     void toolBar_undoAndStages();
     void sheet_isMadeOfTheActions();
@@ -301,6 +303,20 @@ void TestWindowFrame::everyControl_saysWhatItDoes()
     }
     silent.removeDuplicates();
     QVERIFY2(silent.isEmpty(), qPrintable(silent.join(", ")));
+}
+
+/// Where the inspector was put away, the keyboard went to a field that nobody sees.
+void TestWindowFrame::markedStretch_opensTheInspectorThatAsksForItsReason()
+{
+    Bench bench;
+    bench.openSample();
+    bench.window->showPage(static_cast<int>(Page::Window));
+    auto *inspector = bench.find<QDockWidget>("inspectorDock");
+    inspector->hide();
+    emit bench.find<PlotWidget>("windowPlot")->spanMarked({2e-5, 4e-5});
+    QVERIFY(inspector->isVisible());
+    QVERIFY(bench.find<QLineEdit>("stretchReason")->isVisible());
+    QCOMPARE(QApplication::focusWidget(), bench.find<QLineEdit>("stretchReason"));
 }
 
 void TestWindowFrame::toolBar_hasSignsAndKeys()

@@ -56,6 +56,7 @@ public:
 
 signals:
     void plotExport(const dyncal::PlotWidget *plot); ///< the operator wants it as a file
+    void inspectorWanted(); ///< a field there is about to have the keyboard
 
 protected:
     virtual void showRecipe() = 0; ///< sets the controls

@@ -173,6 +173,7 @@ void StretchList::chooseShots(const std::vector<Index> &shots)
 
 void StretchList::askForReason()
 {
+    emit reasonWanted();
     m_reason->setFocus();
     for (QWidget *above = parentWidget(); above; above = above->parentWidget())
         if (auto *area = qobject_cast<QScrollArea *>(above))

@@ -56,6 +56,7 @@ signals:
     /// Row -1: a new one.
     void edited(int row, const dyncal::MarkedStretch &stretch);
     void removeRequested(int row);
+    void reasonWanted(); ///< before the keyboard goes there: what hides the field must open
 
 private:
     void build();

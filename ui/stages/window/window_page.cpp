@@ -95,6 +95,7 @@ void WindowPage::buildInspector()
     form->addSection(tr("Left out of the fit, after the start"));
     auto *stretches = new StretchList;
     form->addWide(stretches);
+    connect(stretches, &StretchList::reasonWanted, this, &WindowPage::inspectorWanted);
     m_stretches = new StretchMarking(session(), *stretches, {m_plot, m_detail}, this);
 }
 

@@ -7,11 +7,13 @@
 #include "core/base/constants.h"
 #include "core/realization/exponentials/onset.h"
 #include "tests/support/cascade_model.h"
+#include "tests/support/signals.h"
 #include "tests/support/test_program.h"
 
 #include <QTest>
 
 using namespace dyncal;
+using testing::Gaussian;
 using testing::modelOfPoles;
 using Complex = std::complex<double>;
 
@@ -40,6 +42,30 @@ double fastest(const SensorModel &model)
 double searchOf(const SensorModel &model)
 {
     return 0.6 * kTwoPi / fastest(model);
+}
+
+/// Root of the k-th derivative nearest to 0 where the response is low: every stretch of the scan
+/// looked at, in their order.
+std::optional<double> rootOfWholeScan(const ExponentialSum &response, int k, double search_s)
+{
+    std::optional<double> nearest;
+    const double step = 2.0 * search_s / 600;
+    double left = -search_s;
+    for (int i = 0; i < 600; ++i, left += step) {
+        const bool isNegative = response.derivative(left, k) < 0.0;
+        if (isNegative == (response.derivative(left + step, k) < 0.0))
+            continue;
+        double a = left;
+        double b = left + step;
+        for (int halving = 0; halving < 60; ++halving) {
+            const double middle = 0.5 * (a + b);
+            ((response.derivative(middle, k) < 0.0) == isNegative ? a : b) = middle;
+        }
+        const bool isLow = std::abs(response.value(a)) <= 0.25 * std::abs(response.constant);
+        if (isLow && (!nearest || std::abs(a) < std::abs(*nearest)))
+            nearest = a;
+    }
+    return nearest;
 }
 
 Complex pole(double f0_Hz, double zeta)
@@ -112,6 +138,26 @@ private slots:
                 QVERIFY(found && std::abs(*found - onset_s) < 1e-12);
             }
         }
+    }
+
+    /// Modes of any size beside the main one: many roots, some of them low; to the last bit.
+    void searchFromTheMiddle_findsTheRootOfTheWholeScan()
+    {
+        Gaussian random(20261);
+        int found = 0;
+        for (int trial = 0; trial < 300; ++trial) {
+            const double zeta = 0.01 + 0.1 * std::abs(random());
+            const Complex s = pole(1e5, std::min(zeta, 0.9));
+            const Complex weak = pole(1e5 * (1.0 + 3.0 * std::abs(random())), 0.02);
+            ExponentialSum sum
+                = stepAt(modelOfPoles({s, std::conj(s), weak, std::conj(weak)}), 2e-6 * random());
+            sum.amplitudes.tail(2) *= random();
+            const double search_s = 8e-6 * std::abs(random());
+            const auto expected = rootOfWholeScan(sum, 1, search_s);
+            QCOMPARE(findOnset_s(sum, search_s), expected);
+            found += expected.has_value();
+        }
+        QVERIFY2(found > 150 && found < 300, qPrintable(QString::number(found)));
     }
 
     void sizeAndDirection_changeNothing()
