@@ -212,15 +212,18 @@ private slots:
     {
         const auto captures = simulated();
         ResultCache cache;
-        const CalibrationResults first = runPipeline(captures, {}, cache).results;
+        const CalibrationResults first
+            = runPipeline(captures, {}, cache, StageId::Evidence).results;
         Recipe recipe;
         recipe.realization.order = Index(4);
         recipe.realization.candidates = {2, 4};
         recipe.realization.adoptedReason = "looks best";
-        const CalibrationResults second = runPipeline(captures, recipe, cache).results;
+        const CalibrationResults second
+            = runPipeline(captures, recipe, cache, StageId::Evidence).results;
         QVERIFY(first.evidence && second.evidence == first.evidence); // the same object
         recipe.realization.stableFrequency = 0.001;
-        QVERIFY(runPipeline(captures, recipe, cache).results.evidence != first.evidence);
+        QVERIFY(runPipeline(captures, recipe, cache, StageId::Evidence).results.evidence
+            != first.evidence);
     }
 };
 

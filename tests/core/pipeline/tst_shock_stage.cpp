@@ -27,9 +27,9 @@ private slots:
     {
         ResultCache cache;
         Recipe recipe;
-        const auto before = runPipeline(m_set, recipe, cache).results;
+        const auto before = runPipeline(m_set, recipe, cache, StageId::MonteCarlo).results;
         recipe.realization.order.value = 6;
-        const auto after = runPipeline(m_set, recipe, cache).results;
+        const auto after = runPipeline(m_set, recipe, cache, StageId::MonteCarlo).results;
         QVERIFY(before.shock && after.shock && before.monteCarlo && after.monteCarlo);
         QCOMPARE(after.starts.get(), before.starts.get());
         QCOMPARE(after.expected.get(), before.expected.get());
@@ -95,9 +95,9 @@ private slots:
         ResultCache cache;
         Recipe recipe;
         recipe.uncertainty.monteCarloTrials = 2000;
-        const auto results = runPipeline(m_set, recipe, cache).results;
+        const auto results = runPipeline(m_set, recipe, cache, StageId::MonteCarlo).results;
         recipe.uncertainty.seed += 1;
-        const auto other = runPipeline(m_set, recipe, cache).results;
+        const auto other = runPipeline(m_set, recipe, cache, StageId::MonteCarlo).results;
         QCOMPARE(other.shock.get(), results.shock.get()); // nothing but the draws is new
         constexpr auto kStep = static_cast<Index>(StepResult::Step);
         for (const ShockConditions &shot : results.shock->shots) {
@@ -118,7 +118,7 @@ private slots:
         Recipe recipe;
         recipe.uncertainty.budget = {{"t1_k", 60.0, "normal", {}}};
         recipe.uncertainty.monteCarloTrials = 1000;
-        const auto outcome = runPipeline(m_set, recipe, cache);
+        const auto outcome = runPipeline(m_set, recipe, cache, StageId::MonteCarlo);
         QVERIFY(!outcome.error);
         QVERIFY(!outcome.results.monteCarlo->ofShot(1)->outcome);
         QVERIFY(!outcome.results.monteCarlo->ofShot(1)->missing.empty());
@@ -181,7 +181,7 @@ private slots:
         Recipe recipe;
         recipe.uncertainty.budget = {{"step_relative", 0.2, "u-shaped", {}}};
         recipe.uncertainty.monteCarloTrials = 4000;
-        const auto results = runPipeline(m_set, recipe, cache).results;
+        const auto results = runPipeline(m_set, recipe, cache, StageId::MonteCarlo).results;
         const auto &lines = results.shock->shots[0].uncertainty->budget.lines;
         QVERIFY(std::any_of(lines.begin(), lines.end(), [](const BudgetLine &line) {
             return line.input.distribution == Distribution::UShaped;
@@ -198,7 +198,7 @@ private slots:
         ResultCache cache;
         Recipe recipe;
         recipe.uncertainty.monteCarloTrials = 5;
-        const auto outcome = runPipeline(m_set, recipe, cache);
+        const auto outcome = runPipeline(m_set, recipe, cache, StageId::MonteCarlo);
         QVERIFY(outcome.error && outcome.error->kind == ErrorKind::Usage);
         QCOMPARE(outcome.failedStage, StageId::MonteCarlo);
         QVERIFY(outcome.results.response);
@@ -209,7 +209,7 @@ private slots:
         ResultCache cache;
         Recipe recipe;
         recipe.shock.enabled = false;
-        const auto results = runPipeline(m_set, recipe, cache).results;
+        const auto results = runPipeline(m_set, recipe, cache, StageId::MonteCarlo).results;
         QVERIFY(results.expected->conditions.shots.empty());
         QVERIFY(results.shock->shots.empty() && results.monteCarlo->shots.empty());
     }
@@ -218,12 +218,12 @@ private slots:
     {
         ResultCache cache;
         Recipe recipe;
-        const auto found = runPipeline(m_set, recipe, cache).results;
+        const auto found = runPipeline(m_set, recipe, cache, StageId::MonteCarlo).results;
         const auto &first = found.shock->shots[0];
         ArrivalSensor sensor{first.seen[0].channel, first.distance_m, 2e-4};
         sensor.shotArrival_s = {first.seen[0].found->time_s + 1e-6, std::nullopt, std::nullopt};
         recipe.shock.arrivalSensors = {sensor};
-        const auto moved = runPipeline(m_set, recipe, cache).results;
+        const auto moved = runPipeline(m_set, recipe, cache, StageId::MonteCarlo).results;
         const auto velocity = [](const CalibrationResults &r, std::size_t i) {
             return r.shock->shots[i].states->velocity_m_s;
         };
@@ -243,7 +243,7 @@ private slots:
         ArrivalSensor sensor{"driven_side", 0.8, 2e-4};
         sensor.shotArrival_s = {1e-3, std::nullopt};
         recipe.shock.arrivalSensors = {sensor};
-        const auto outcome = runPipeline(m_set, recipe, cache);
+        const auto outcome = runPipeline(m_set, recipe, cache, StageId::MonteCarlo);
         QVERIFY(outcome.error && outcome.error->kind == ErrorKind::Usage);
         QVERIFY(
             english(outcome.error->message).find("2 arrivals for 3 shots") != std::string::npos);

@@ -124,7 +124,7 @@ private slots:
         QFETCH(int, order);
         const Recipe recipe = ofOrder(order);
         ResultCache cache;
-        PipelineOutcome staged = runPipeline(captures(), recipe, cache);
+        PipelineOutcome staged = runPipeline(captures(), recipe, cache, StageId::Evidence);
         QVERIFY(!staged.error && staged.results.assessment);
         PipelineOutcome whole = staged;
         const CalibrationResults before = upTo(StageId::Decomposition, recipe, cache);
@@ -139,7 +139,8 @@ private slots:
     void knownAssessment_isThereAtOnce()
     {
         ResultCache cache;
-        const auto complete = runPipeline(captures(), {}, cache).results.assessment;
+        const auto complete
+            = runPipeline(captures(), {}, cache, StageId::Evidence).results.assessment;
         QVERIFY(complete);
         QCOMPARE(upTo(StageId::Model, {}, cache).assessment, complete);
         QCOMPARE(upTo(StageId::Response, {}, cache).assessment, complete);
@@ -152,14 +153,14 @@ private slots:
     {
         ResultCache cache;
         Recipe recipe;
-        const auto complete = runPipeline(captures(), recipe, cache).results;
+        const auto complete = runPipeline(captures(), recipe, cache, StageId::Evidence).results;
         recipe.response.grid = "linear";
-        const auto other = runPipeline(captures(), recipe, cache).results;
+        const auto other = runPipeline(captures(), recipe, cache, StageId::Evidence).results;
         QVERIFY(other.response != complete.response);
         QCOMPARE(other.keys[at(StageId::Assessment)], complete.keys[at(StageId::Assessment)]);
         QCOMPARE(other.model, complete.model);
         QCOMPARE(other.assessment, complete.assessment);
-        const auto refitted = runPipeline(captures(), ofOrder(3), cache).results;
+        const auto refitted = runPipeline(captures(), ofOrder(3), cache, StageId::Evidence).results;
         QVERIFY(refitted.keys[at(StageId::Assessment)] != complete.keys[at(StageId::Assessment)]);
     }
 
@@ -190,7 +191,8 @@ private slots:
     void findings_ofTheAssessment_standRightBehindTheModels()
     {
         ResultCache cache;
-        CalibrationResults results = runPipeline(captures(), ofOrder(4), cache).results;
+        CalibrationResults results
+            = runPipeline(captures(), ofOrder(4), cache, StageId::Evidence).results;
         const Finding model{
             .id = "MOD-005", .severity = Severity::Info, .message = {"of the model", {}}};
         const Finding found{
