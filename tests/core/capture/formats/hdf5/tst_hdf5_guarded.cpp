@@ -9,6 +9,7 @@
 #include "tests/core/capture/formats/hdf5/hdf5_test_file.h"
 #include "tests/support/same_samples.h"
 #include "tests/support/test_program.h"
+#include "tests/support/trial_count.h"
 
 #include <QDirIterator>
 #include <QElapsedTimer>
@@ -411,7 +412,7 @@ private slots:
     void open_cutAtEveryByte_errorOrWhatWasWritten()
     {
         for (const bool newest : {false, true}) { // the old format makes a longer file
-            const int step = newest ? 1 : 16;
+            const int step = newest ? trials::count(4, 1) : trials::count(48, 8);
             writeSmallFile(path("whole.h5"), newest);
             const QByteArray bytes = bytesOf(m_folder.filePath("whole.h5"));
             int read = 0;
@@ -428,16 +429,16 @@ private slots:
         }
     }
 
-    void open_mutants_parentSurvives()
+    void open_countparentSurvives()
     {
-        constexpr int kMutants = 2000;
+        const int count = trials::count(500, 20000);
         writeSmallFile(path("seed.h5"), false);
         const QByteArray seed = bytesOf(m_folder.filePath("seed.h5"));
         std::mt19937 random(20260101);
         int read = 0;
         QElapsedTimer timer;
         qint64 slowest_ms = 0;
-        for (int i = 0; i < kMutants; ++i) {
+        for (int i = 0; i < count; ++i) {
             QByteArray mutant = seed;
             const int changes = 1 + static_cast<int>(random() % 8);
             for (int change = 0; change < changes; ++change) {
@@ -456,7 +457,7 @@ private slots:
                     (void)physicalValues(channel, 0, channel.samples.size());
             read += set ? 1 : 0;
         }
-        qInfo("%d of %d mutants read; the slowest took %lld ms", read, kMutants, slowest_ms);
+        qInfo("%d of %d mutants read; the slowest took %lld ms", read, count, slowest_ms);
         QVERIFY(slowest_ms < 2 * kHang_ms);
     }
 
