@@ -8,7 +8,7 @@ certificate of the reference is right, or wrong by 3 %.
 """
 import numpy as np
 
-from . import coverage, held_table, make, readings, runner, runs, switches
+from . import coverage, held_table, make, readings, runs, switches
 
 U_CERTIFIED, U_DELAY_s, WRONG = 0.003, 50e-9, 0.03
 CERTIFICATES = [0.0, WRONG, -WRONG]
@@ -47,15 +47,17 @@ def both_ways(wrong, rng):
     return lab
 
 
-def covered(program, cell, seed):
+def covered(cell, seed):
     name = f"comparison_{cell}"
-    lab = against_transducer(cell, make.generator(name, seed))
-    return coverage.judged(*runner.perform(program, lab, name, seed))
+    return against_transducer(cell, make.generator(name, seed)), name
 
 
-def agreed(program, wrong, seed):
+def agreed(wrong, seed):
     name = f"both_ways_{wrong:g}"
-    results, _ = runner.perform(program, both_ways(wrong, make.generator(name, seed)), name, seed)
+    return both_ways(wrong, make.generator(name, seed)), name
+
+
+def agreement_of(results, _truth):
     compared = (results or {}).get("comparison")
     keys = ("e_n_mean", "u_difference_relative")
     return {"found": {k: compared.get(k) for k in keys} if compared else None,
@@ -63,7 +65,7 @@ def agreed(program, wrong, seed):
 
 
 def agreement(lines):
-    """`lines` of `agreed`; a run without a result does not agree and tells nothing."""
+    """`lines` of `agreement_of`; a run without a result does not agree and tells nothing."""
     rows = ["| certificate of the reference | n | within U | told (CMP-001) | rms of 2 E_n "
             "| u of the difference | held |",
             "|---|--:|--:|--:|--:|--:|---|"]
@@ -80,6 +82,6 @@ def agreement(lines):
 
 
 def study(arguments, count=50):
-    lines = runs.collect(arguments, "comparison", covered, coverage.CELLS, count)
-    both = runs.collect(arguments, "both_ways", agreed, CERTIFICATES, count)
+    lines = runs.collect(arguments, "comparison", runs.Kind(covered, coverage.judged), coverage.CELLS, count)
+    both = runs.collect(arguments, "both_ways", runs.Kind(agreed, agreement_of), CERTIFICATES, count)
     return held_table.table(lines, coverage.CELLS, coverage.LABELS) + "\n\n### both ways\n\n" + agreement(both)

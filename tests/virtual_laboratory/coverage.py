@@ -10,7 +10,7 @@ from collections import Counter
 
 import numpy as np
 
-from . import held_table, judge, make, readings, runner, runs, switches
+from . import held_table, judge, make, readings, runs, switches
 from .studies_conditions import ATTENUATION
 
 SENSORS = ((318e3, 0.02), (120e3, 0.05), (200e3, 0.4))
@@ -84,10 +84,13 @@ def judged(results, truth):
             "cautions": sorted({f["id"] for f in judge.cautions(results or {})})}
 
 
-def one(program, cell, seed):
+def laboratory(cell, seed):
     sensor, shots = of_cell(cell)
     name = f"coverage_{sensor}_{shots}"
-    return judged(*runner.perform(program, drawn(sensor, shots, make.generator(name, seed)), name, seed))
+    return drawn(sensor, shots, make.generator(name, seed)), name
+
+
+KIND = runs.Kind(laboratory, judged)
 
 
 def cautions(lines):
@@ -97,5 +100,5 @@ def cautions(lines):
 
 
 def study(arguments, count=50):
-    lines = runs.collect(arguments, "coverage", one, CELLS, count)
+    lines = runs.collect(arguments, "coverage", KIND, CELLS, count)
     return held_table.table(lines, CELLS, LABELS)

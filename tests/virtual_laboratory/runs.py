@@ -13,6 +13,20 @@ import time
 from collections import Counter
 from concurrent.futures import ProcessPoolExecutor, as_completed
 from pathlib import Path
+from typing import Callable, NamedTuple
+
+from . import plans, runner
+
+
+class Kind(NamedTuple):
+    """What a study runs. Its parts go to other processes, so they are functions of a module."""
+
+    laboratory: Callable  # of (cell, seed): the laboratory, and the name of its chance
+    judged: Callable  # of (results or None, truth): what a line has of the run
+
+    def __call__(self, program, cell, seed):
+        lab, name = self.laboratory(cell, seed)
+        return self.judged(*runner.perform(program, lab, name, seed))
 
 
 def key(line):
@@ -82,15 +96,30 @@ def make(arguments, tasks):
             pool.shutdown(cancel_futures=True)
 
 
-def collect(arguments, study, run, cells, count):
-    """All lines of a study, in the order of cell and seed: those of the file and, but for `only_table`, new ones.
+def judged_plan(arguments, study, kind, found):
+    """Lines of a computed plan that are not there yet; each is written."""
+    for line in plans.lines(arguments.judge, kind, study):
+        if missing(found, key(line)):
+            if arguments.runs:
+                append(arguments.runs, line)
+            yield line
 
-    `run`: of (program, cell, seed), what a line has of it; seeds from first_seed on, `count` unless given."""
+
+def collect(arguments, study, kind, cells, count):
+    """All lines of a study, in the order of cell and seed: those of the file and, but for `only_table`, new ones: run,
+    or taken from a plan (`judge`). With `plan` what is missing is planned in its place.
+
+    `kind`: a Kind, or a function of (program, cell, seed); seeds from first_seed on, `count` unless given."""
     found = {k: line for k, line in read(arguments.runs).items() if k[0] == study and k[1] in cells}
-    if not arguments.only_table:
+    if arguments.judge:
+        found.update((key(line), line) for line in judged_plan(arguments, study, kind, found))
+    elif not arguments.only_table:
         seeds = range(arguments.first_seed, arguments.first_seed + (arguments.seeds or count))
-        tasks = [(run, arguments.program, study, cell, seed) for seed in seeds for cell in cells
-                 if missing(found, (study, cell, seed))]
+        lacking = [(study, cell, seed) for seed in seeds for cell in cells if missing(found, (study, cell, seed))]
+        if arguments.plan:
+            plans.write(arguments.plan, kind, lacking, arguments.processes)
+            lacking = []
+        tasks = [(kind, arguments.program, *one) for one in lacking]
         for number, line in enumerate(make(arguments, tasks), 1):
             found[key(line)] = line
             if number % 50 == 0 or number == len(tasks):
@@ -113,9 +142,10 @@ def head(lines, cells):
     """What the table is of: runs, seeds, results that are missing, builds, time."""
     each = [sum(line["cell"] == cell for line in lines) for cell in cells]
     number = str(min(each)) if min(each) == max(each) else f"{min(each)} to {max(each)}"
+    seconds = [line["seconds"] for line in lines if "seconds" in line]  # those of a plan have none
     builds = Counter(line.get("build") or "unknown" for line in lines)
     return (f"{len(lines)} runs, {number} in each of {len(cells)} cells, seeds {ranges(s['seed'] for s in lines)}; "
             f"{sum(line.get('found') is None for line in lines)} without a result, "
             f"{sum('error' in line for line in lines)} of them broke down; "
             f"build {', '.join(f'{b} ({n})' for b, n in builds.items())}; "
-            f"{sum(line.get('seconds', 0) for line in lines) / 60:.0f} min of single runs")
+            f"{len(seconds)} single runs took {sum(seconds) / 60:.0f} min")

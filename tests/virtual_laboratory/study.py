@@ -10,7 +10,7 @@ import shutil
 import sys
 from pathlib import Path
 
-from . import (comparison, correction, coverage, orders, power, readings, runner, studies_conditions as sc, tables,
+from . import (comparison, correction, coverage, orders, plans, power, readings, runner, studies_conditions as sc, tables,
                unmodelled)
 from .conditions_laboratory import CONDITIONS
 
@@ -71,11 +71,13 @@ def check(parser, arguments):
     unknown = [name for name in other if name not in (*STUDIES, *ALONE)]
     if unknown:
         parser.error(f"no study is named {', '.join(unknown)}; there are {', '.join((*STUDIES, *ALONE))}")
-    if (arguments.runs or arguments.only_table) and other:
-        parser.error(f"--runs and --only-table are for {', '.join(RESUMABLE)}, not for {', '.join(other)}")
+    if (arguments.runs or arguments.only_table or arguments.plan or arguments.judge) and other:
+        parser.error(f"--runs, --only-table, --plan and --judge are for {', '.join(RESUMABLE)}, not for {', '.join(other)}")
+    if arguments.judge and not plans.planned(arguments.judge):
+        parser.error(f"--judge must name the folder of a --plan, not {arguments.judge}")
     if arguments.only_table and not (arguments.runs and Path(arguments.runs).is_file()):
         parser.error("--only-table needs --runs with a file that is there")
-    if not arguments.only_table and not shutil.which(arguments.program or ""):
+    if not (arguments.only_table or arguments.judge) and not shutil.which(arguments.program or ""):
         parser.error(f"--program must name a program that can be run, not {arguments.program}")
     if arguments.runs and not arguments.only_table:
         try:
@@ -88,7 +90,7 @@ def parse(argv):
     parser = argparse.ArgumentParser(prog="virtual_laboratory.study", description=__doc__)
     parser.add_argument("studies", nargs="*", default=["conditions"],
                         help=f"of {', '.join((*STUDIES, *ALONE))}; conditions unless given")
-    parser.add_argument("--program", help="dyncal as built; needed unless --only-table")
+    parser.add_argument("--program", help="dyncal as built; needed unless --only-table or --judge")
     parser.add_argument("--seeds", type=int, help="runs per condition (each study has its own default)")
     parser.add_argument("--first-seed", type=int, default=0)
     parser.add_argument("--only", nargs="*", help="only these conditions, or effects of unmodelled")
@@ -98,6 +100,9 @@ def parse(argv):
     parser.add_argument("--runs", metavar="FILE", help=f"lines of {', '.join(RESUMABLE)}: what is there is not "
                         "run again, what is run is appended; the table is of all that it has")
     parser.add_argument("--only-table", action="store_true", help="runs nothing: the table of --runs")
+    parser.add_argument("--plan", metavar="FOLDER", help="runs nothing: recordings of what --runs lacks, and their plan for "
+                        "dyncal batch")
+    parser.add_argument("--judge", metavar="FOLDER", help="runs nothing: takes what dyncal batch has computed of a --plan")
     parser.add_argument("--strict", action="store_true", help="exit code 1 where the table says NO")
     arguments = parser.parse_args(argv)
     check(parser, arguments)
@@ -107,6 +112,11 @@ def parse(argv):
 def main(argv=None):
     arguments = parse(argv)
     everything, text = [], []
+    if arguments.plan:
+        for name in arguments.studies:
+            ALONE[name].study(arguments)
+        print(plans.finish(arguments.program, arguments.plan))
+        return 0
     for name in arguments.studies:
         if name in ALONE:
             text.append(f"## {name}\n\n" + ALONE[name].study(arguments))

@@ -27,7 +27,8 @@ def by_hand(program, cell, seed):
 
 def options(path, **others):
     return argparse.Namespace(**{"runs": str(path) if path else None, "only_table": False, "first_seed": 0,
-                                 "seeds": None, "processes": 1, "program": "program", **others})
+                                 "seeds": None, "processes": 1, "program": "program", "plan": None,
+                                 "judge": None, **others})
 
 
 def quiet(call, *arguments):

@@ -4,9 +4,11 @@
 
 One effect at a time, on top of all that `coverage` draws. The sizes are those of README.md.
 """
+from functools import partial
+
 import numpy as np
 
-from . import coverage, held_table, make, runner, runs
+from . import coverage, held_table, make, runs
 
 ACCELERATION_PA = (0.1, 1.4)  # per m/s^2; quartz sensors, compensated and not
 WALL_KG, BORE_m2 = (2.0, 10.0), np.pi * 0.05**2  # the mass that moves with the mode
@@ -44,16 +46,9 @@ def disturbed(effect, cell, rng):
     return lab
 
 
-class Run:
-    """Of one effect; a class, as it goes to other processes."""
-
-    def __init__(self, effect):
-        self.effect = effect
-
-    def __call__(self, program, cell, seed):
-        name = f"unmodelled_{self.effect}_{cell}"
-        lab = disturbed(self.effect, cell, make.generator(name, seed))
-        return coverage.judged(*runner.perform(program, lab, name, seed))
+def laboratory(effect, cell, seed):
+    name = f"unmodelled_{effect}_{cell}"
+    return disturbed(effect, cell, make.generator(name, seed)), name
 
 
 def wanted(name, count):
@@ -63,7 +58,8 @@ def wanted(name, count):
 def study(arguments, count=20):
     parts = []
     for effect in (e for e in EFFECTS if not arguments.only or e in arguments.only):
-        lines = runs.collect(arguments, f"unmodelled {effect}", Run(effect), coverage.CELLS, count)
+        kind = runs.Kind(partial(laboratory, effect), coverage.judged)
+        lines = runs.collect(arguments, f"unmodelled {effect}", kind, coverage.CELLS, count)
         parts.append(f"### {effect}\n\n" + held_table.table(lines, coverage.CELLS, coverage.LABELS, wanted)
                      + "\n\n" + coverage.cautions(lines))
     return "\n\n".join(parts)
