@@ -7,6 +7,7 @@ each ID is), plan.jsonl and, once computed, plan.out/.
 """
 import json
 import os
+import re
 import shutil
 import subprocess
 from concurrent.futures import ProcessPoolExecutor
@@ -18,7 +19,7 @@ PLAN, PLANNED, RESULTS = "plan.jsonl", "planned.jsonl", "plan.out"
 
 
 def name_of(study, cell, seed):
-    return f"{study} {cell:g} {seed}".replace(" ", "_")
+    return re.sub(r"[^\w.+-]+", "_", f"{study} {cell:g} {seed}")
 
 
 def record(folder, kind, study, cell, seed):

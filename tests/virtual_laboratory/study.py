@@ -10,15 +10,16 @@ import shutil
 import sys
 from pathlib import Path
 
-from . import (comparison, correction, coverage, orders, plans, power, readings, runner, studies_conditions as sc, tables,
-               unmodelled)
+from . import (comparison, correction, coverage, methods, orders, plans, power, readings, runner,
+               studies_conditions as sc, tables, unmodelled)
 from .conditions_laboratory import CONDITIONS
 
 SPECIAL = {"clean_any", *sc.DRIFT, *sc.STILL, *sc.TUBE, *sc.DAMPING, *sc.NOISE, *sc.FRONT, "bounds_any"}
 ORDINARY = [name for name in CONDITIONS if name not in SPECIAL]
 SHORT = ["heat_slow", "one_velocity_for_all", "gas_recorded", "humidity_recorded", "rate_doubled",
          "temperature_misread", "pressure_misread", "scale_wrong"]
-RESUMABLE = {"coverage": coverage, "comparison": comparison, "unmodelled": unmodelled}  # with lines of `runs`
+RESUMABLE = {"coverage": coverage, "comparison": comparison, "unmodelled": unmodelled,
+             "methods": methods}  # with lines of `runs`
 ALONE = {"power": power, "orders": orders, "correction": correction, **RESUMABLE}  # with tables of their own
 # conditions, runs each, quantities
 STUDIES = {

@@ -11,7 +11,7 @@ from pathlib import Path
 
 import numpy as np
 
-from virtual_laboratory import comparison, held_table, runs, study, unmodelled
+from virtual_laboratory import comparison, held_table, methods, runs, study, unmodelled
 
 CELLS = [0, 1]
 
@@ -204,6 +204,35 @@ class Words(unittest.TestCase):
                 self.assertEqual(study.main(["coverage", "--only-table", "--runs", str(path)]), 0)
             self.assertIn("0 to 1 in each of 6 cells, seeds 3", told.getvalue())
             self.assertEqual(json.loads(path.read_text())["seed"], 3)
+
+
+class Methods(unittest.TestCase):
+    TRUTH = {"f0_hz": 100e3, "zeta": 0.05}
+
+    def results(self, *poles):
+        keys = ("frequency_hz", "damping_ratio", "im", "amplitude", "class")
+        return {"software": {"build": "abc"}, "model": {"poles": [dict(zip(keys, pole)) for pole in poles]}}
+
+    def test_the_largest_pole_that_oscillates_is_judged(self):
+        found = methods.judged(self.results((5e3, -1.0, 0.0, 9.0, "step"), (101e3, 0.06, 0.5, 0.5, "sensor"),
+                                            (101e3, 0.06, -0.5, 0.5, "sensor"), (300e3, 0.1, 0.2, 0.1, "sensor")), self.TRUTH)
+        self.assertAlmostEqual(found["found"]["f0"], 0.01)
+        self.assertAlmostEqual(found["found"]["zeta"], 0.2)
+
+    def test_without_one_nothing_is_found(self):
+        for results in (None, {"software": {"build": "abc"}, "model": None}, self.results((2.0, -1.0, 0.0, 1.0, "step"))):
+            self.assertIsNone(methods.judged(results, self.TRUTH)["found"])
+
+    def test_methods_of_a_seed_have_the_same_records(self):
+        names = {methods.laboratory(method, 1, 7)[1] for method in methods.METHODS}
+        self.assertEqual(len(names), 1)
+        recipes = [methods.laboratory(method, 1, 7)[0].noted.recipe for method in methods.METHODS]
+        self.assertEqual(len({str(recipe) for recipe in recipes}), len(methods.METHODS))
+
+    def test_table_has_bias_and_scatter(self):
+        lines = [{"cell": 0, "found": {"f0": 0.01 + s, "zeta": 0.2}} for s in (-0.001, 0.001)] + [{"cell": 0, "found": None}]
+        row = next(methods.rows("deflated", lines))
+        self.assertIn("| deflated | 2 of 3 | +1.0000 ± 0.1000 | +20.0000 ± 0.0000 |", row)
 
 
 if __name__ == "__main__":
