@@ -150,14 +150,15 @@ std::optional<double> firstExit_Hz(
 
 } // namespace
 
-BandEdges bandEdges(const SensorModel &model, ResponseTreatment treatment)
+void describeBands(
+    const SensorModel &model, ResponseTreatment treatment, StepCharacteristics &result)
 {
     const RelativeMagnitude ratio(model, treatment);
     const FrequencyGrid grid(model);
     const auto exit_Hz = [&](Outside outside) { return firstExit_Hz(ratio, grid, outside); };
-    return {exit_Hz([](double r) { return std::abs(r - 1.0) - 0.05; }),
-        exit_Hz([](double r) { return std::abs(r - 1.0) - 0.10; }),
-        exit_Hz([](double r) { return std::numbers::sqrt2 / 2.0 - r; })};
+    result.within5percent_Hz = exit_Hz([](double r) { return std::abs(r - 1.0) - 0.05; });
+    result.within10percent_Hz = exit_Hz([](double r) { return std::abs(r - 1.0) - 0.10; });
+    result.minus3dB_Hz = exit_Hz([](double r) { return std::numbers::sqrt2 / 2.0 - r; });
 }
 
 } // namespace dyncal

@@ -25,10 +25,7 @@ StepCharacteristics stepCharacteristics(const SensorModel &model, ResponseTreatm
     if (!hasStepResponse(model, treatment))
         return {};
     StepCharacteristics result = describedStep(normalisedStep(model), kSettledRange);
-    const BandEdges edges = bandEdges(model, treatment);
-    result.within5percent_Hz = edges.within5percent_Hz;
-    result.within10percent_Hz = edges.within10percent_Hz;
-    result.minus3dB_Hz = edges.minus3dB_Hz;
+    describeBands(model, treatment, result);
     return result;
 }
 

@@ -13,7 +13,7 @@ import subprocess
 from concurrent.futures import ProcessPoolExecutor
 from pathlib import Path
 
-from . import capture_file, laboratory, make
+from . import runner
 
 PLAN, PLANNED, RESULTS = "plan.jsonl", "planned.jsonl", "plan.out"
 
@@ -28,8 +28,7 @@ def record(folder, kind, study, cell, seed):
     sensor = folder / "in" / name
     sensor.mkdir(parents=True)
     lab, condition = kind.laboratory(cell, seed)
-    records = laboratory.perform(lab, make.generator(condition + " records", seed))
-    capture_file.write(sensor, lab, records, condition, seed)
+    runner.record(sensor, lab, condition, seed)
     shutil.move(sensor / "truth.json", folder / "truth" / f"{name}.json")
     if (sensor / "reference.csv").exists():  # beside the recording it would be one
         shutil.move(sensor / "reference.csv", folder / "reference" / f"{name}.csv")

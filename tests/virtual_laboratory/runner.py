@@ -24,13 +24,18 @@ def calibrate(program, folder, extra=()):
     return done.returncode, content, done.stderr.strip()[-400:]
 
 
+def record(folder, lab, name, seed):
+    """Writes recordings, recipe and truth of one calibration; the chance is that of name and seed."""
+    records = laboratory.perform(lab, make.generator(name + " records", seed))
+    capture_file.write(folder, lab, records, name, seed)
+
+
 def perform(program, lab, name, seed):
     """results.json and truth of one calibration in this laboratory; the chance is that of name and seed.
 
     RuntimeError where the program could not be run or was killed: that is no answer of its."""
     with tempfile.TemporaryDirectory(prefix="virtual_laboratory_") as folder:
-        records = laboratory.perform(lab, make.generator(name + " records", seed))
-        capture_file.write(folder, lab, records, name, seed)
+        record(folder, lab, name, seed)
         truth = json.loads((Path(folder) / "truth.json").read_text("utf-8"))
         code, results, words = calibrate(program, Path(folder))
         if code < 0 or code >= 126:

@@ -63,18 +63,28 @@ std::optional<double> firstOutside(
     return std::nullopt;
 }
 
-BandEdges byEveryPoint(const SensorModel &model)
+StepCharacteristics byEveryPoint(const SensorModel &model)
 {
     const std::vector<double> grid = wholeGrid(model);
-    return {firstOutside(model, grid, [](double r) { return std::abs(r - 1.0) - 0.05; }),
-        firstOutside(model, grid, [](double r) { return std::abs(r - 1.0) - 0.10; }),
-        firstOutside(model, grid, [](double r) { return std::numbers::sqrt2 / 2.0 - r; })};
+    const auto first = [&](const Outside &outside) { return firstOutside(model, grid, outside); };
+    StepCharacteristics result;
+    result.within5percent_Hz = first([](double r) { return std::abs(r - 1.0) - 0.05; });
+    result.within10percent_Hz = first([](double r) { return std::abs(r - 1.0) - 0.10; });
+    result.minus3dB_Hz = first([](double r) { return std::numbers::sqrt2 / 2.0 - r; });
+    return result;
+}
+
+StepCharacteristics byLeaps(const SensorModel &model)
+{
+    StepCharacteristics result;
+    describeBands(model, kStep, result);
+    return result;
 }
 
 void verifySame(const SensorModel &model)
 {
-    const BandEdges found = bandEdges(model, kStep);
-    const BandEdges expected = byEveryPoint(model);
+    const StepCharacteristics found = byLeaps(model);
+    const StepCharacteristics expected = byEveryPoint(model);
     QCOMPARE(found.within5percent_Hz, expected.within5percent_Hz);
     QCOMPARE(found.within10percent_Hz, expected.within10percent_Hz);
     QCOMPARE(found.minus3dB_Hz, expected.minus3dB_Hz);
@@ -128,7 +138,7 @@ private slots:
     {
         SensorModel broken = cascadeModel({{3.18e5, 0.02}});
         broken.amplitudes[0] = std::nan("");
-        const BandEdges found = bandEdges(broken, kStep);
+        const StepCharacteristics found = byLeaps(broken);
         QVERIFY(!found.within5percent_Hz && !found.within10percent_Hz && !found.minus3dB_Hz);
     }
 };
