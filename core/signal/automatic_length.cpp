@@ -10,6 +10,7 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <optional>
 
 namespace dyncal {
 namespace {
@@ -19,7 +20,9 @@ constexpr Index kLeastBlock = 8;
 constexpr Index kFirstBlocks = 20; ///< until then the level is taken to be still settling
 constexpr Index kLasting = 10; ///< blocks that a departure from the plateau must last
 constexpr Index kLeastLasting = 3; ///< at the end of the record
-constexpr double kDepartureShare = 0.03; ///< of the step
+constexpr double kDepartureShare = 0.03; ///< of the step, for the size of ringing, too
+constexpr double kLeastPlateau = 0.1; ///< of the largest excursion: below, the response only begins
+constexpr Index kZoom = 10; ///< from one look at the record's beginning to the next, closer one
 constexpr double kDepartureSigmas = 6.0;
 constexpr double kDecayed = 1.5; ///< rms of a block over the noise
 // Ringing in the blocks: a peak of the power spectrum of their differences, in which the end of a
@@ -28,6 +31,17 @@ constexpr Index kLeastPeriods = 4; ///< on record
 constexpr Index kPeriodsLookedAt = 3; ///< for its size
 constexpr double kOverMedian = 25.0; ///< of the power: noise alone reaches 15
 constexpr double kProminence = 10.0; ///< over the least power an octave below and above
+
+/// What is compared with the blocks that follow, and by how much these must differ.
+struct Departure
+{
+    Index part = 2; ///< the blocks before without the first 1/part of them
+    double share = kDepartureShare; ///< of the step
+};
+
+/// In a closer look at the beginning, where the top of an overshoot is not yet far behind, and
+/// where an echo is no end.
+constexpr Departure kEarlyDeparture{4, 0.1};
 
 /// `reduce` of the finite samples of each block after `start`; NaN for blocks without any.
 template <typename Reduction>
@@ -43,21 +57,22 @@ Eigen::VectorXd blockValues(
     return values;
 }
 
-/// Whether the blocks from `first` on leave the level of the latter half of those before, for as
+/// Whether the blocks from `first` on leave the level of the latter part of those before, for as
 /// long as the plateau has lasted so far or to the end. Half a period of slow ringing does not last
 /// that long. Ringing, or a slow rise or droop that goes on, does not leave the range of the blocks
 /// before. The last `shared` of these hold samples of block `first`, and say nothing.
-bool departs(
-    const Eigen::VectorXd &levels, Index first, Index shared, double baseline, double noise)
+bool departs(const Eigen::VectorXd &levels, Index first, Index shared, double baseline,
+    double noise, const Departure &rule)
 {
     const Index count = std::min(std::max(kLasting, first), levels.size() - first);
+    const Index from = first / rule.part;
     const Eigen::VectorXd before
-        = finiteOnly(levels.segment(first / 2, std::max(first - first / 2 - shared, Index(0))));
+        = finiteOnly(levels.segment(from, std::max(first - from - shared, Index(0))));
     if (count < kLeastLasting || before.size() == 0)
         return false;
     const double plateau = median(before);
-    const double distance = std::max({kDepartureShare * std::abs(plateau - baseline), noise,
-        before.maxCoeff() - before.minCoeff()});
+    const double distance = std::max(
+        {rule.share * std::abs(plateau - baseline), noise, before.maxCoeff() - before.minCoeff()});
     const auto difference = (levels.segment(first, count).array() - plateau).eval();
     return (difference > distance).all() || (difference < -distance).all();
 }
@@ -80,6 +95,48 @@ bool isLarge(const Eigen::VectorXd &levels, Index period, double baseline)
         (levels.segment(period / 2, count) - mean).squaredNorm() / static_cast<double>(count));
     return ringing > 0.5 * kDepartureShare * std::abs(median(levels) - baseline);
 }
+
+/// Means of the blocks of a record's part after `start`, without large ringing.
+class StepLevels
+{
+public:
+    StepLevels(const Channel &channel, Index start, Index span, double baseline, double noiseSd)
+        : m_block(std::max(span / kBlocks, kLeastBlock))
+        , m_baseline(baseline)
+        , m_noise(kDepartureSigmas * noiseSd / std::sqrt(static_cast<double>(m_block)))
+        , m_levels(blockValues(channel, start, span, m_block,
+              [](const Eigen::VectorXd &samples) { return samples.mean(); }))
+        , m_period(slowestRinging_blocks(m_levels))
+    {
+        if (m_period > 1 && isLarge(m_levels, m_period, baseline)) {
+            m_levels = runningMean(m_levels, m_period);
+            m_shared = m_period - 1;
+        }
+    }
+
+    Index ringing() const { return m_period * m_block; } ///< its period in samples, or 0
+
+    /// Samples until the level leaves its plateau, times kUsedShare.
+    std::optional<Index> lengthOfPlateau(const Departure &rule) const
+    {
+        const double least = kLeastPlateau
+            * (m_levels.array() - m_baseline).abs().maxCoeff<Eigen::PropagateNumbers>();
+        for (Index b = std::max(kFirstBlocks, 4 * m_shared); b < m_levels.size(); ++b) {
+            if (departs(m_levels, b, m_shared, m_baseline, m_noise, rule)
+                && !(std::abs(m_levels[b - 1] - m_baseline) < least))
+                return static_cast<Index>(kUsedShare * static_cast<double>(b * m_block));
+        }
+        return std::nullopt;
+    }
+
+private:
+    Index m_block = 1; ///< samples
+    double m_baseline = 0.0;
+    double m_noise = 0.0;
+    Eigen::VectorXd m_levels;
+    Index m_period = 0; ///< of ringing, blocks
+    Index m_shared = 0; ///< blocks that have samples in common with the next one
+};
 
 } // namespace
 
@@ -109,21 +166,21 @@ Index slowestRinging_blocks(const Eigen::VectorXd &levels)
 Index automaticStepLength(
     const Channel &channel, Index start, Index limit, double baseline, double noiseSd)
 {
-    const Index block = std::max(limit / kBlocks, kLeastBlock);
-    Eigen::VectorXd levels = blockValues(channel, start, limit, block,
-        [](const Eigen::VectorXd &samples) { return samples.mean(); });
-    const double noise = kDepartureSigmas * noiseSd / std::sqrt(static_cast<double>(block));
-    Index shared = 0;
-    const Index period = slowestRinging_blocks(levels);
-    if (period > 1 && isLarge(levels, period, baseline)) {
-        levels = runningMean(levels, period);
-        shared = period - 1;
+    Index ringing = 0;
+    const auto look = [&](Index span, const Departure &rule) {
+        const StepLevels levels(channel, start, span, baseline, noiseSd);
+        ringing = std::max(ringing, levels.ringing());
+        return levels.lengthOfPlateau(rule);
+    };
+    Index length = look(limit, Departure()).value_or(limit);
+    // Of a long record the first blocks may hold the whole plateau. Closer looks see it, as long as
+    // ringing that a wider one has seen is seen by them, too.
+    for (Index span = limit / kZoom; span >= kBlocks * kLeastBlock; span /= kZoom) {
+        if (span < 2 * kLeastPeriods * ringing)
+            break;
+        length = std::min(length, look(span, kEarlyDeparture).value_or(length));
     }
-    for (Index b = std::max(kFirstBlocks, 4 * shared); b < levels.size(); ++b) {
-        if (departs(levels, b, shared, baseline, noise))
-            return static_cast<Index>(kUsedShare * static_cast<double>(b * block));
-    }
-    return limit;
+    return length;
 }
 
 Index automaticDecayLength(

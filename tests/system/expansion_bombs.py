@@ -37,8 +37,22 @@ def deflate(plan):
     plan.set_deflate(9)
 
 
+def deflated(head, mebibytes):
+    """A zlib stream of bytes and so many MiB of zeros behind them, which are packed once."""
+    def packed(data):
+        packer = zlib.compressobj(9, zlib.DEFLATED, -15)
+        return packer.compress(data) + packer.flush(zlib.Z_FULL_FLUSH)
+
+    zero = bytes(MIB)
+    check = zlib.adler32(head)
+    for _ in range(mebibytes):
+        check = zlib.adler32(zero, check)
+    last_block = b"\x03\x00"
+    return b"\x78\xda" + packed(head) + packed(zero) * mebibytes + last_block + struct.pack(">I", check)
+
+
 def zeros(size):
-    return zlib.compress(bytes(size), 9)
+    return deflated(b"", size // MIB)
 
 
 def gzip_bombs():
@@ -120,13 +134,8 @@ def compressed(data):
 
 
 def deflated_matrix(name, mebibytes):
-    packer = zlib.compressobj(9)
     head = matrix_head(name, mebibytes * MIB // 8, 9, mebibytes * MIB)
-    parts = [packer.compress(struct.pack("<II", 14, len(head) + mebibytes * MIB) + head)]
-    for _ in range(mebibytes):
-        parts.append(packer.compress(bytes(MIB)))
-    parts.append(packer.flush())
-    return b"".join(parts)
+    return deflated(struct.pack("<II", 14, len(head) + mebibytes * MIB) + head, mebibytes)
 
 
 def mat_bombs():
@@ -137,7 +146,7 @@ def mat_bombs():
     mat_file("mat_nested.mat", [compressed(zlib.compress(compressed(stream), 9))])
     # Says 1 MiB, goes on for 512.
     head = matrix_head(b"y", MIB // 8, 9, MIB)
-    lie = zlib.compress(struct.pack("<II", 14, len(head) + MIB) + head + bytes(512 * MIB), 9)
+    lie = deflated(struct.pack("<II", 14, len(head) + MIB) + head, 512)
     mat_file("mat_lie.mat", [compressed(lie)])
     path = os.path.join(folder, "mat73.mat")
     with h5py.File(path, "w", userblock_size=512) as f:

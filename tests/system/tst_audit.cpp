@@ -63,12 +63,12 @@ private:
                        .ran);
     }
 
-    /// Numbers that were moved one by one, of which `count` there are: every twelfth here, all of
-    /// them in the long form.
+    /// Numbers that were moved one by one, of which `count` there are: every thirtieth here, all
+    /// of them in the long form.
     void tellsMoved(
         const QString &capture, const QString &name, int count, const QStringList &words) const
     {
-        const int every = dyncal::trials::count(12, 1);
+        const int every = dyncal::trials::count(30, 1);
         const PythonAnswer told = scriptOf("moved_numbers.py",
             QStringList{"--every", QString::number(every), path(capture), path(name)} + words);
         QVERIFY2(told.ran, told.out + told.err);

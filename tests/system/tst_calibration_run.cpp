@@ -197,9 +197,12 @@ private slots:
             QVERIFY2(m_answer.out.contains(label), m_answer.out);
     }
 
-    void secondRun_isByteIdentical()
+    void secondRun_inAnotherLocale_isByteIdentical()
     {
-        QVERIFY(runExample("b").exitCode <= 1);
+        QVERIFY(runDyncal(QStringList{"run", path("example.h5"), "-o", path("b")} + quickly(),
+                    kEpoch + QStringList{"LC_ALL=sv_SE.UTF-8", "LANG=sv_SE.UTF-8"})
+                    .exitCode
+            <= 1);
         QVERIFY(!fileBytes(path("a/results.json")).isEmpty());
         QVERIFY(fileBytes(path("a/results.json")) == fileBytes(path("b/results.json")));
         const QStringList tables = QDir(path("a/csv")).entryList(QDir::Files);
@@ -293,7 +296,7 @@ private slots:
 
     void blockedRun_removesTheCertificateOfAnEarlierOne()
     {
-        QVERIFY(runExample("reused").exitCode <= 1);
+        QCOMPARE(QProcess::execute("cp", {"-R", path("a"), path("reused")}), 0);
         QVERIFY(QFile::exists(path("reused/certificate.pdf")));
         QVERIFY(QFile::exists(path("reused/csv/poles.csv")));
         QCOMPARE(runDyncal({"simulate", "-o", path("none.h5"), "--defect", "nostep"}).exitCode, 0);
@@ -303,31 +306,17 @@ private slots:
         QVERIFY(fileJson(path("reused/results.json"))["model"].isNull());
     }
 
-    void otherFilesInTheFolder_areLeftAlone()
-    {
-        QVERIFY(QDir().mkpath(path("mixed/csv")));
-        QVERIFY(writeBytes(path("mixed/certificate.pdf.note"), "mine"));
-        QVERIFY(writeBytes(path("mixed/csv/mine.csv"), "mine")); // no earlier run: not ours
-        QVERIFY(runExample("mixed").exitCode <= 1);
-        QCOMPARE(fileBytes(path("mixed/certificate.pdf.note")), QByteArray("mine"));
-        QCOMPARE(fileBytes(path("mixed/csv/mine.csv")), QByteArray("mine"));
-    }
-
-    void folderWithSpacesAndLetters_works()
+    void otherFilesInAFolderWithSpacesAndLetters_areLeftAlone()
     {
         const QString folder = path("ut å ö/dir");
+        QVERIFY(QDir().mkpath(folder + "/csv"));
+        QVERIFY(writeBytes(folder + "/certificate.pdf.note", "mine"));
+        QVERIFY(writeBytes(folder + "/csv/mine.csv", "mine")); // no earlier run: not ours
         QVERIFY(runDyncal(QStringList{"run", path("example.h5"), "-o", folder} + quickly()).exitCode
             <= 1);
         QVERIFY(QFile::exists(folder + "/results.json"));
-    }
-
-    void locale_changesNoNumber()
-    {
-        QVERIFY(runDyncal(QStringList{"run", path("example.h5"), "-o", path("locale")} + quickly(),
-                    kEpoch + QStringList{"LC_ALL=sv_SE.UTF-8", "LANG=sv_SE.UTF-8"})
-                    .exitCode
-            <= 1);
-        QVERIFY(fileBytes(path("a/results.json")) == fileBytes(path("locale/results.json")));
+        QCOMPARE(fileBytes(folder + "/certificate.pdf.note"), QByteArray("mine"));
+        QCOMPARE(fileBytes(folder + "/csv/mine.csv"), QByteArray("mine"));
     }
 };
 

@@ -76,7 +76,7 @@ private:
     template <typename Try>
     bool forEachLimit(std::uint64_t lowest_MiB, int shortStep_MiB, const Try &tryLimit)
     {
-        const int often = dyncal::trials::count(2, 12);
+        const int often = dyncal::trials::count(1, 12);
         const auto step = static_cast<std::uint64_t>(dyncal::trials::count(shortStep_MiB, 1));
         std::uint64_t first = 0;
         int done = 0, refused = 0;
@@ -237,8 +237,8 @@ private slots:
     {
         QVERIFY(QFile::exists(qEnvironmentVariable("DYNCAL_FEW_THREADS")));
         int refused = 0, done = 0;
-        const int step = dyncal::trials::count(9, 1);
-        for (int threads = 0; done < 2; threads += step) {
+        const int step = dyncal::trials::count(9, 1), often = dyncal::trials::count(1, 2);
+        for (int threads = 0; done < often; threads += step) {
             WindowProcess window(path("home"), {capture()}, 0,
                 {"ASAN_OPTIONS=detect_leaks=0:verify_asan_link_order=0", // where it is so built
                     "LD_PRELOAD=" + qEnvironmentVariable("DYNCAL_FEW_THREADS"),

@@ -5,6 +5,7 @@
 
 #include "core/realization/input/whitening.h"
 
+#include <Eigen/Cholesky>
 #include <Eigen/QR>
 
 #include <algorithm>
@@ -19,6 +20,7 @@ constexpr double kPointsPerPeriod = 6.0; ///< of the highest resonance
 constexpr double kQuietPeriods = 3.0; ///< of the lowest one, before the first echo that can be told
 constexpr double kQuietRiseTimes
     = 15.0; ///< the same without one: e^-7 is left of a damping ratio of 0.3
+constexpr Index kParabola = 3; ///< columns of the background that are no resonance
 constexpr Index kFewest = 20; ///< points on each side of an echo
 constexpr Index kReach = 200; ///< points on each side that are looked at
 constexpr Index kStride = 8; ///< points from one look to the next
@@ -99,12 +101,13 @@ public:
     {
         double most = kCandidate;
         Index place = 0;
+        std::optional<Look> known;
         const Index first = m_first + kFewest;
         const Index end = std::min(points() - kFewest + 1, first + kMostLooks * kStride);
         for (Index at = first; at < end; at += kStride) {
             if (control.stopRequested())
                 return std::nullopt;
-            if (const double gain = lookAt(at).gain; gain > most) {
+            if (const double gain = lookAt(at, known).gain; gain > most) {
                 most = gain;
                 place = at;
             }
@@ -165,11 +168,11 @@ private:
         const Index to = std::min(points(), m_first + 2 * kReach);
         for (int round = 0; round < kRounds && !m_ringing.empty(); ++round) {
             const Eigen::MatrixXd basis = background(m_first, to);
-            if (basis.cols() < 3 + 4 * std::ssize(m_ringing))
+            if (basis.cols() < kParabola + 4 * std::ssize(m_ringing))
                 return; // one is gone already
             const Eigen::VectorXd c = basis.householderQr().solve(record(m_first, to, 0.0));
             for (std::size_t i = 0; i < m_ringing.size(); ++i) {
-                const Eigen::Vector4d one = c.segment<4>(3 + 4 * static_cast<Index>(i));
+                const Eigen::Vector4d one = c.segment<4>(kParabola + 4 * static_cast<Index>(i));
                 const std::complex<double> change = std::complex<double>(one[2], -one[3])
                     / std::complex<double>(one[0], -one[1]) / static_cast<double>(2 * kReach);
                 Ringing &ringing = m_ringing[i];
@@ -185,11 +188,22 @@ private:
     /// The beginning of the record that is the template must end before the echo itself.
     Index end(Index at) const { return std::min({points(), at + kReach, 2 * at}); }
 
+    static bool isGone(const Ringing &one, Index points)
+    {
+        return one.decay * static_cast<double>(points) > -std::log(kGone);
+    }
+    /// Whether something of the step's own ringing is left at a point.
+    bool rings(Index at) const
+    {
+        return std::ranges::any_of(
+            m_ringing, [at](const Ringing &one) { return !isGone(one, at); });
+    }
+
     void addRinging(Eigen::MatrixXd &basis, Index &column, Index from, Index origin, bool drifts,
         Index begin) const
     {
         for (const Ringing &one : m_ringing) {
-            if (one.decay * static_cast<double>(from - origin) > -std::log(kGone))
+            if (isGone(one, from - origin))
                 continue;
             const Index width = drifts ? 4 : 2;
             for (Index row = from - begin; row < basis.rows(); ++row) {
@@ -209,13 +223,14 @@ private:
     /// A parabola and the resonances, whose frequency and decay may be a little off.
     Eigen::MatrixXd background(Index begin, Index end) const
     {
-        Eigen::MatrixXd basis = Eigen::MatrixXd::Zero(end - begin, 3 + 4 * std::ssize(m_ringing));
+        Eigen::MatrixXd basis
+            = Eigen::MatrixXd::Zero(end - begin, kParabola + 4 * std::ssize(m_ringing));
         for (Index row = 0; row < basis.rows(); ++row) {
             const double t
                 = 2.0 * static_cast<double>(row) / static_cast<double>(basis.rows()) - 1.0;
-            basis.row(row).head(3) << 1.0, t, t * t;
+            basis.row(row).head(kParabola) << 1.0, t, t * t;
         }
-        Index column = 3;
+        Index column = kParabola;
         addRinging(basis, column, begin, 0, true, begin);
         return basis.leftCols(column);
     }
@@ -228,55 +243,76 @@ private:
         return y;
     }
 
-    /// Points from `begin` to `end`, their background, and the record without it; both sides are
-    /// whitened, under which the background keeps its span.
-    struct Stretch
-    {
-        Index begin = 0;
-        Index end = 0;
-        Eigen::HouseholderQR<Eigen::MatrixXd> background;
-        Eigen::VectorXd rest = {};
-    };
+    /// The background of a stretch of points, whitened, under which it keeps its span.
+    using Background = Eigen::HouseholderQR<Eigen::MatrixXd>;
 
-    Stretch stretch(Index begin, Index end) const
+    Background backgroundOf(Index begin, Index end) const
     {
-        Stretch made{begin, end,
-            Eigen::HouseholderQR<Eigen::MatrixXd>(background(begin + m_noise.order(), end))};
-        made.rest = without(made, record(begin, end, 0.0));
-        return made;
+        return Background(background(begin + m_noise.order(), end));
     }
 
     /// What the background leaves of values, whitened.
-    Eigen::VectorXd without(const Stretch &stretch, const Eigen::VectorXd &values) const
+    Eigen::VectorXd without(const Background &background, const Eigen::VectorXd &values) const
     {
         Eigen::VectorXd rest = whitened(values, m_noise.coefficients);
-        rest.applyOnTheLeft(stretch.background.householderQ().adjoint());
-        return rest.tail(rest.size() - stretch.background.cols());
+        rest.applyOnTheLeft(background.householderQ().adjoint());
+        return rest.tail(rest.size() - background.cols());
     }
 
-    Remainder compare(const Stretch &stretch, const Eigen::MatrixXd &templates) const
+    /// Templates of an echo without their background, and their normal equations.
+    struct Templates
     {
-        Eigen::MatrixXd h(stretch.rest.size(), templates.cols());
+        Eigen::MatrixXd h;
+        double first = 0.0; ///< square of the first one's length
+        Eigen::LDLT<Eigen::MatrixXd> gram;
+    };
+
+    Templates without(const Background &background, const Eigen::MatrixXd &templates) const
+    {
+        Eigen::MatrixXd h(templates.rows() - m_noise.order() - background.cols(), templates.cols());
         for (Index i = 0; i < templates.cols(); ++i)
-            h.col(i) = without(stretch, templates.col(i));
-        const Eigen::VectorXd inner = h.transpose() * stretch.rest;
+            h.col(i) = without(background, Eigen::VectorXd(templates.col(i)));
         const Eigen::MatrixXd gram = h.transpose() * h;
-        const Eigen::VectorXd size = gram.ldlt().solve(inner);
-        const double v = m_noise.innovationVariance;
-        return {stretch.rest.squaredNorm() / v, inner.dot(size) / v, size[0],
-            std::sqrt(v / gram(0, 0))};
+        return {std::move(h), gram(0, 0), gram.ldlt()};
     }
 
-    /// A level and resonances of any phase from point `at` on.
-    Remainder lookAt(Index at) const
+    /// `rest`: the record without its background.
+    Remainder compare(const Eigen::VectorXd &rest, const Templates &templates) const
+    {
+        const Eigen::VectorXd inner = templates.h.transpose() * rest;
+        const Eigen::VectorXd size = templates.gram.solve(inner);
+        const double v = m_noise.innovationVariance;
+        return {
+            rest.squaredNorm() / v, inner.dot(size) / v, size[0], std::sqrt(v / templates.first)};
+    }
+
+    /// What a look has besides the record. Where the record does not ring any more, all looks of
+    /// one shape have the same.
+    struct Look
+    {
+        Index before = 0; ///< points
+        Index behind = 0;
+        Background background;
+        Templates templates;
+    };
+
+    /// A level and resonances of any phase from point `at` on; `known`: of the look before.
+    Remainder lookAt(Index at, std::optional<Look> &known) const
     {
         const Index from = begin(at);
         const Index to = end(at);
-        Eigen::MatrixXd templates = Eigen::MatrixXd::Zero(to - from, 1 + 2 * std::ssize(m_ringing));
-        templates.col(0).tail(to - at).setOnes();
-        Index column = 1;
-        addRinging(templates, column, at, at, false, from);
-        return compare(stretch(from, to), templates);
+        const bool isKnown = known && known->before == at - from && known->behind == to - at
+            && known->background.cols() == kParabola && !rings(from + m_noise.order());
+        if (!isKnown) {
+            Eigen::MatrixXd level = Eigen::MatrixXd::Zero(to - from, 1 + 2 * std::ssize(m_ringing));
+            level.col(0).tail(to - at).setOnes();
+            Index column = 1;
+            addRinging(level, column, at, at, false, from);
+            Background behind = backgroundOf(from, to);
+            Templates templates = without(behind, level);
+            known = Look{at - from, to - at, std::move(behind), std::move(templates)};
+        }
+        return compare(without(known->background, record(from, to, 0.0)), known->templates);
     }
 
     double freedom(Index count) const
@@ -302,14 +338,15 @@ private:
         constexpr Index kNear = 2 * kStride;
         const Index from = begin(place);
         const Index to = end(std::max(m_first, place - kNear));
-        const Stretch one = stretch(from, to); // for all delays
+        const Background one = backgroundOf(from, to); // for all delays
+        const Eigen::VectorXd rest = without(one, record(from, to, 0.0));
         std::vector<double> delays;
         std::vector<Remainder> found;
         const auto last = static_cast<double>(std::min(to - kFewest / 2, place + kNear));
         for (auto delay = static_cast<double>(std::max(m_first, place - kNear)); delay <= last;
              delay += kFine) {
             delays.push_back(delay);
-            found.push_back(compare(one, record(from, to, delay)));
+            found.push_back(compare(rest, without(one, Eigen::MatrixXd(record(from, to, delay)))));
         }
         const auto best = std::ranges::max_element(found, {}, &Remainder::gain);
         if (best == found.end() || !explains(*best, to - from))

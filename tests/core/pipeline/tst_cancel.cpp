@@ -7,6 +7,7 @@
 #include "tests/support/model_inputs.h"
 #include "tests/support/realized_model.h"
 #include "tests/support/test_program.h"
+#include "tests/support/trial_count.h"
 
 #include <QtTest>
 
@@ -75,10 +76,10 @@ std::optional<double> timeToStop_s(const Work &work, double after_s)
 /// The longest time to stop at moments spread over the work; prints it.
 double longestToStop_s(const char *what, const Work &work)
 {
-    constexpr double kGrowth = 2.5;
+    const double growth = trials::count(5, 2);
     double longest_s = 0.0;
     int moments = 0;
-    for (double after_s = 0.02;; after_s *= kGrowth, ++moments) {
+    for (double after_s = 0.02;; after_s *= growth, ++moments) {
         const auto time_s = timeToStop_s(work, after_s);
         if (!time_s)
             break;

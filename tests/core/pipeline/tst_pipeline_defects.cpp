@@ -134,8 +134,8 @@ void TestPipelineDefects::defect_endsInItsFinding_data()
     QTest::addColumn<int>("severity");
     QTest::addColumn<bool>("stops"); ///< there is an error instead of a result
     const auto row = [](const char *defect, const char *finding, Severity severity, bool stops) {
-        const std::vector<const char *> all{"", "@2", "@1", "@3"}; // the last two in the long form
-        for (const char *shot : std::span(all).first(std::size_t(trials::count(2, 4))))
+        const std::vector<const char *> all{"@2", "", "@1", "@3"}; // the suite has the first
+        for (const char *shot : std::span(all).first(std::size_t(trials::count(1, 4))))
             QTest::addRow("%s%s %s", defect, shot, finding)
                 << QString("%1%2").arg(defect, shot) << finding << static_cast<int>(severity)
                 << stops;

@@ -4,6 +4,7 @@
 #include "core/signal/automatic_length.h"
 #include "tests/support/signals.h"
 #include "tests/support/test_program.h"
+#include "tests/support/trial_count.h"
 
 #include <QtTest>
 
@@ -17,6 +18,7 @@ using namespace dyncal;
 namespace {
 
 constexpr Index kSamples = 50000;
+constexpr Index kLong = 800'000;
 constexpr double kNoise = 0.003;
 
 struct Mode
@@ -29,12 +31,13 @@ struct Mode
 /// 1 - sum of the modes' ringing, from sample 0 on, plus `later`, with white noise.
 Eigen::VectorXd response(
     const std::vector<Mode> &modes,
-    const std::function<double(double)> &later = [](double) { return 0.0; }, unsigned seed = 1)
+    const std::function<double(double)> &later = [](double) { return 0.0; }, unsigned seed = 1,
+    Index samples = kSamples)
 {
     std::mt19937 random(seed);
     std::normal_distribution<double> noise(0.0, kNoise);
-    Eigen::VectorXd values(kSamples);
-    for (Index i = 0; i < kSamples; ++i) {
+    Eigen::VectorXd values(samples);
+    for (Index i = 0; i < samples; ++i) {
         const double t = static_cast<double>(i) + 0.5;
         values[i] = 1.0 + later(t) + noise(random);
         for (const Mode &mode : modes) {
@@ -132,6 +135,83 @@ private slots:
             QVERIFY(std::abs(static_cast<double>(length) / (0.9 * end) - 1.0) < 0.02);
         }
         QCOMPARE(lengthOf(response({})), kSamples);
+    }
+
+    /// A plateau of 0.2 to 2 % of the record.
+    void plateauOfALongRecord_endsWhereItDid_data()
+    {
+        QTest::addColumn<double>("end");
+        QTest::addColumn<double>("period");
+        QTest::addColumn<double>("zeta");
+        const bool isLong = trials::count(0, 1) > 0;
+        for (const double end : isLong ? std::vector<double>{1500.0, 3000.0, 7e3, 15e3}
+                                       : std::vector<double>{1500.0, 15e3})
+            for (const double period : {30.0, 100.0, 300.0})
+                for (const double zeta : {0.02, 0.2})
+                    if (end > 20.0 * period)
+                        QTest::addRow("%g, %g, %g", end, period, zeta) << end << period << zeta;
+    }
+    void plateauOfALongRecord_endsWhereItDid()
+    {
+        QFETCH(double, end);
+        QFETCH(double, period);
+        QFETCH(double, zeta);
+        for (const double later : {-0.6, 1.0}) {
+            const auto leaves = [&](double t) { return t < end ? 0.0 : later; };
+            const auto length
+                = static_cast<double>(lengthOf(response({{period, zeta, 1.0}}, leaves, 1, kLong)));
+            QVERIFY2(length < end, qPrintable(QString::number(length)));
+            QVERIFY2(length > 0.85 * end - 2.0 * period, qPrintable(QString::number(length)));
+        }
+    }
+
+    /// Ringing of any period and damping, of one mode and of two.
+    void longRecordThatRings_isUsedWhole_data()
+    {
+        QTest::addColumn<double>("zeta");
+        for (const double zeta : {0.0005, 0.005, 0.05, 0.2, 0.3, 0.5, 0.9})
+            QTest::addRow("zeta %g", zeta) << zeta;
+    }
+    void longRecordThatRings_isUsedWhole()
+    {
+        QFETCH(double, zeta);
+        const double factor = trials::count(0, 1) > 0 ? 1.07 : 4.0;
+        for (double period = 23.0; period < 100e3; period *= factor)
+            for (const double second : {0.0, 0.3}) {
+                const std::vector<Mode> modes{
+                    {period, zeta, 1.0 - second}, {0.31 * period, 0.02, second}};
+                const auto still = [](double) { return 0.0; };
+                const Index length = lengthOf(response(modes, still, 1, kLong));
+                QVERIFY2(length == kLong,
+                    qPrintable(QString("%1, %2: %3").arg(period).arg(second).arg(length)));
+            }
+    }
+
+    /// Slow beginnings, slow ends and echoes end no plateau.
+    void longRecordThatSettles_isUsedWhole()
+    {
+        const auto whole = [](const std::function<double(double)> &less, const QString &what) {
+            const Index length = lengthOf(response({}, less, 1, kLong));
+            QVERIFY2(length == kLong, qPrintable(what + QString(": %1").arg(length)));
+        };
+        for (double time = 10.0; time < 3e5; time *= 10.0) {
+            const auto gone = [time](double t) { return std::exp(-t / time); };
+            whole([&](double t) { return -gone(t); }, QString("lag of %1").arg(time));
+            whole([&](double t) { return -0.8 * std::exp(-t / 50.0) - 0.2 * gone(t); },
+                QString("lag and creep of %1").arg(time));
+            const auto chain = [&](double t) { // six lags one behind the other
+                double sum = 0.0, term = 1.0;
+                for (int k = 1; k <= 6; term *= t / time / k++)
+                    sum += term;
+                return -gone(t) * sum;
+            };
+            whole(chain, QString("six lags of %1").arg(time));
+            if (time > 1e4)
+                continue; // from there on the look at all of the record sees 3 %
+            for (const double size : {-0.08, 0.08})
+                whole([&](double t) { return t < time ? 0.0 : size; },
+                    QString("echo of %1 behind %2").arg(size).arg(time));
+        }
     }
 
     void period_isFound()

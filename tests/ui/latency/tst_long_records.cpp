@@ -77,6 +77,7 @@ private slots:
     void everyPage_shown();
     void records_zoomed();
     void window_changed();
+    void longWindow_everyPage_shown();
 
 private:
     Session &session() { return m_bench.window->session(); }
@@ -161,6 +162,19 @@ void TestLongRecords::window_changed()
         recipe.window.end_s = 5e-3;
         session().apply(recipe, "end");
     });
+}
+
+/// A response of millions of samples.
+void TestLongRecords::longWindow_everyPage_shown()
+{
+    constexpr double kLongWindow_s = 0.079;
+    act("long window", [this] {
+        Recipe recipe = session().recipe();
+        recipe.window.end_s = kLongWindow_s;
+        session().apply(recipe, "end");
+    });
+    QVERIFY(session().results().window->responses.front().window().size() > 7'000'000);
+    everyPage_shown();
 }
 
 DYNCAL_TEST(TestLongRecords)

@@ -3,6 +3,7 @@
 
 #include "core/pipeline/pipeline.h"
 #include "tests/support/test_program.h"
+#include "tests/support/trial_count.h"
 #include "tests/ui/shell/window_bench.h"
 #include "ui/plot/widget/plot_widget.h"
 #include "ui/session/example.h"
@@ -113,7 +114,8 @@ void TestThemeSwitch::switched_looksLikeStarted_data()
 {
     QTest::addColumn<int>("from");
     QTest::addColumn<int>("to");
-    for (std::size_t i = 0; i < std::size(kThemeKinds); ++i) {
+    const auto switches = static_cast<std::size_t>(trials::count(2, std::ssize(kThemeKinds)));
+    for (std::size_t i = 0; i < switches; ++i) {
         const ThemeKind from = kThemeKinds[i];
         const ThemeKind to = kThemeKinds[(i + 1) % std::size(kThemeKinds)];
         QTest::addRow("%s to %s", qPrintable(themeName(from)), qPrintable(themeName(to)))

@@ -283,7 +283,7 @@ private slots:
     void initTestCase() { m_bench = std::make_unique<Bench>(); }
     void cleanupTestCase() { m_bench.reset(); }
 
-    void everyPage_showsTextAsText_data() { addRows(std::size_t(trials::count(2, 1))); }
+    void everyPage_showsTextAsText_data() { addRows(std::size_t(trials::count(3, 1))); }
     void everyPage_showsTextAsText()
     {
         QFETCH(QByteArray, text);
