@@ -286,7 +286,7 @@ wanted U</source>
     </message>
     <message>
         <source>computing...</source>
-        <translation>beräknas ...</translation>
+        <translation>beräknas...</translation>
     </message>
     <message>
         <source>FIT %1 of %2 %</source>
@@ -1282,7 +1282,7 @@ steget</translation>
     <name>FindingText</name>
     <message>
         <source>Info</source>
-        <translation>Information</translation>
+        <translation>Upplysning</translation>
     </message>
     <message>
         <source>Caution</source>
@@ -8978,10 +8978,6 @@ steget</translation>
         <translation>Registret %1 svarar inte som det ska (%2); kontrollera att det finns, är ett register och får skrivas, och gör om det: inget har gått förlorat.</translation>
     </message>
     <message>
-        <source>There is no registry %1; name the file or the server with --registry.</source>
-        <translation>Det finns inget register %1; ange filen eller servern med --registry.</translation>
-    </message>
-    <message>
         <source>The registry %1 lies on a network folder (%2), where two programs that write it at once would destroy it; put it on a disk of this machine, or use a PostgreSQL server for several.</source>
         <translation>Registret %1 ligger på en nätverksmapp (%2), där två program som skriver samtidigt skulle förstöra det; lägg det på en disk i denna dator, eller använd en PostgreSQL-server för flera.</translation>
     </message>
@@ -9464,10 +9460,6 @@ steget</translation>
     <message>
         <source>The language of a text is one of the used ones.</source>
         <translation>En texts språk är ett av de använda.</translation>
-    </message>
-    <message>
-        <source>A country is named by its two letters of ISO 3166-1; type laboratory_country and customer_country in the fields of the certificate.</source>
-        <translation>Ett land anges med sina två bokstäver enligt ISO 3166-1; skriv laboratory_country och customer_country bland certifikatets fält.</translation>
     </message>
     <message>
         <source>A date is a day of the calendar like 2026-01-31.</source>
@@ -9986,14 +9978,6 @@ steget</translation>
         <translation>Känslighetskoefficient</translation>
     </message>
     <message>
-        <source>The DCC names no country of the laboratory (it has ZZ): neither laboratory_country is a code of ISO 3166-1, as SE, nor does the address have one; type it into the fields of the certificate or into the laboratory&apos;s card.</source>
-        <translation>DCC anger inget land för laboratoriet (där står ZZ): varken laboratory_country är en kod enligt ISO 3166-1, som SE, eller har adressen en; skriv den i bevisets fält eller på laboratoriets kort.</translation>
-    </message>
-    <message>
-        <source>The DCC names no country of the customer (it has ZZ): neither customer_country is a code of ISO 3166-1, as SE, nor does the address have one; type it into the fields of the certificate or into the customer&apos;s card.</source>
-        <translation>DCC anger inget land för kunden (där står ZZ): varken customer_country är en kod enligt ISO 3166-1, som SE, eller har adressen en; skriv den i bevisets fält eller på kundens kort.</translation>
-    </message>
-    <message>
         <source>%1, shot %2</source>
         <translation>%1, skott %2</translation>
     </message>
@@ -10484,6 +10468,22 @@ steget</translation>
     <message>
         <source>coverage</source>
         <translation>täckning</translation>
+    </message>
+    <message>
+        <source>The DCC names no country of the laboratory (it has ZZ): there is no code of ISO 3166-1, as SE, in its country field and none in its address; type it into the fields of the certificate or into the laboratory&apos;s card.</source>
+        <translation>DCC anger inget land för laboratoriet (där står ZZ): varken dess landsfält eller dess adress har en kod enligt ISO 3166-1, som SE; skriv den i bevisets fält eller på laboratoriets kort.</translation>
+    </message>
+    <message>
+        <source>The DCC names no country of the customer (it has ZZ): there is no code of ISO 3166-1, as SE, in its country field and none in its address; type it into the fields of the certificate or into the customer&apos;s card.</source>
+        <translation>DCC anger inget land för kunden (där står ZZ): varken dess landsfält eller dess adress har en kod enligt ISO 3166-1, som SE; skriv den i bevisets fält eller på kundens kort.</translation>
+    </message>
+    <message>
+        <source>A country is named by its two letters of ISO 3166-1; type the countries of laboratory and customer into the fields of the certificate.</source>
+        <translation>Ett land anges med sina två bokstäver enligt ISO 3166-1; skriv laboratoriets och kundens land i bevisets fält.</translation>
+    </message>
+    <message>
+        <source>There is no registry %1; name its file or server.</source>
+        <translation>Det finns inget register %1; ange dess fil eller server.</translation>
     </message>
 </context>
 <context>
@@ -11485,6 +11485,10 @@ steget</translation>
         <source>■ This is no country. Write its two letters of ISO 3166-1, as SE.</source>
         <translation>■ Detta är inget land. Skriv dess två bokstäver enligt ISO 3166-1, som SE.</translation>
     </message>
+    <message>
+        <source>e.g. SE</source>
+        <translation>t.ex. SE</translation>
+    </message>
 </context>
 <context>
     <name>dyncal::CertificatesTab</name>
@@ -12289,7 +12293,7 @@ steget</translation>
     <name>dyncal::EarlierPanel</name>
     <message>
         <source>Lay over...</source>
-        <translation>Lägg över ...</translation>
+        <translation>Lägg över...</translation>
     </message>
     <message>
         <source>Take away</source>
@@ -12316,10 +12320,6 @@ steget</translation>
         <translation>%1: ingen frekvens anges med U av båda.</translation>
     </message>
     <message>
-        <source>%1: %2 of %3 rows agree within U; the largest |E_n| is %4, at %5. What both share, tube, references and method, is in both U: an |E_n| below 1 does not show that nothing changed.</source>
-        <translation>%1: %2 av %3 rader stämmer överens inom U; det största |E_n| är %4, vid %5. Vad båda delar, rör, referenser och metod, finns i båda U: ett |E_n| under 1 visar inte att inget har ändrats.</translation>
-    </message>
-    <message>
         <source>A results.json of an earlier run, or a digital calibration certificate (DCC) of any laboratory: its S(f) is drawn beside this one, and nothing is changed by it</source>
         <translation>En results.json från en tidigare körning, eller ett digitalt kalibreringscertifikat (DCC) från vilket laboratorium som helst: dess S(f) ritas bredvid detta, och inget ändras av det</translation>
     </message>
@@ -12334,6 +12334,10 @@ steget</translation>
     <message>
         <source>Not taken from the certificate:</source>
         <translation>Inte hämtat från certifikatet:</translation>
+    </message>
+    <message>
+        <source>%1: %2 of %3 rows agree within U; the largest |Eₙ| is %4, at %5. What both share, tube, references and method, is in both U: an |Eₙ| below 1 does not show that nothing changed.</source>
+        <translation>%1: %2 av %3 rader stämmer överens inom U; det största |Eₙ| är %4, vid %5. Vad båda delar, rör, referenser och metod, finns i båda U: ett |Eₙ| under 1 visar inte att inget har ändrats.</translation>
     </message>
 </context>
 <context>
@@ -12659,7 +12663,7 @@ steget</translation>
     </message>
     <message>
         <source>C&amp;hoose...</source>
-        <translation>Väl&amp;j ...</translation>
+        <translation>Väl&amp;j...</translation>
     </message>
     <message>
         <source>&amp;Sensor</source>
@@ -12687,7 +12691,7 @@ steget</translation>
     </message>
     <message>
         <source>Sa&amp;ve table...</source>
-        <translation>Spara &amp;tabell ...</translation>
+        <translation>Spara &amp;tabell...</translation>
     </message>
     <message>
         <source>Day</source>
@@ -12708,10 +12712,6 @@ steget</translation>
     <message>
         <source>k</source>
         <translation>k</translation>
-    </message>
-    <message>
-        <source>E_n</source>
-        <translation>E_n</translation>
     </message>
     <message>
         <source>Control chart</source>
@@ -12748,6 +12748,10 @@ steget</translation>
     <message>
         <source>The history is in %1.</source>
         <translation>Historiken finns i %1.</translation>
+    </message>
+    <message>
+        <source>Eₙ</source>
+        <translation>Eₙ</translation>
     </message>
 </context>
 <context>
@@ -14595,6 +14599,30 @@ steget</translation>
         <source>▲ expired</source>
         <translation>▲ utgången</translation>
     </message>
+    <message>
+        <source>laboratory</source>
+        <translation>laboratorium</translation>
+    </message>
+    <message>
+        <source>customer</source>
+        <translation>kund</translation>
+    </message>
+    <message>
+        <source>sensor</source>
+        <translation>givare</translation>
+    </message>
+    <message>
+        <source>reference instrument</source>
+        <translation>referensinstrument</translation>
+    </message>
+    <message>
+        <source>added</source>
+        <translation>tillagt</translation>
+    </message>
+    <message>
+        <source>changed</source>
+        <translation>ändrat</translation>
+    </message>
 </context>
 <context>
     <name>dyncal::RegistryWindow</name>
@@ -14718,7 +14746,7 @@ steget</translation>
     </message>
     <message>
         <source>Verdict</source>
-        <translation>Utslag</translation>
+        <translation>Utfall</translation>
     </message>
     <message>
         <source>Step</source>
@@ -14741,10 +14769,6 @@ steget</translation>
         <translation>Tolerans</translation>
     </message>
     <message>
-        <source>Change for 1e-12</source>
-        <translation>Ändring för 1e-12</translation>
-    </message>
-    <message>
         <source>Known from</source>
         <translation>Känt ur</translation>
     </message>
@@ -14759,6 +14783,10 @@ steget</translation>
     <message>
         <source>Written: %1</source>
         <translation>Skrivet: %1</translation>
+    </message>
+    <message>
+        <source>Change for 10⁻¹²</source>
+        <translation>Ändring för 10⁻¹²</translation>
     </message>
 </context>
 <context>
@@ -14914,7 +14942,7 @@ steget</translation>
     </message>
     <message>
         <source>C&amp;hoose...</source>
-        <translation>Väl&amp;j ...</translation>
+        <translation>Väl&amp;j...</translation>
     </message>
     <message>
         <source>None</source>
@@ -15707,7 +15735,7 @@ steget</translation>
     </message>
     <message>
         <source>Verdict</source>
-        <translation>Utslag</translation>
+        <translation>Utfall</translation>
     </message>
     <message>
         <source>Number</source>
@@ -15779,7 +15807,7 @@ steget</translation>
     </message>
     <message>
         <source>C&amp;hoose...</source>
-        <translation>Väl&amp;j ...</translation>
+        <translation>Väl&amp;j...</translation>
     </message>
     <message>
         <source>Valid &amp;on</source>

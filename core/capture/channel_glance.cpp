@@ -164,6 +164,28 @@ ChannelGlance glanceAt(const RawSamples &samples)
     });
 }
 
+ChannelGlance glanceAt(const Channel &channel)
+{
+    ChannelGlance glance = glanceAt(channel.samples);
+    if (glance.trace.empty())
+        return glance;
+    const SampleExtremes &at = glance.trace[static_cast<std::size_t>(glance.stepAt)];
+    const double middle = 0.5 * (at.min + at.max);
+    const auto change = [&](double counts) {
+        return physicalValue(channel, middle + 0.5 * counts)
+            - physicalValue(channel, middle - 0.5 * counts);
+    };
+    glance.noise = std::abs(change(glance.noise));
+    glance.step = change(glance.step);
+    for (SampleExtremes &stretch : glance.trace) {
+        const double one = physicalValue(channel, stretch.min);
+        const double other = physicalValue(channel, stretch.max);
+        stretch.min = std::min(one, other);
+        stretch.max = std::max(one, other);
+    }
+    return glance;
+}
+
 std::vector<ChannelRole> proposedRoles(const std::vector<ChannelGlance> &channels)
 {
     std::vector<ChannelRole> roles(channels.size(), ChannelRole::Other);

@@ -33,6 +33,10 @@ ChannelGlance glanceAt(std::span<const double> values);
 /// Of a record of any length: of each stretch no more than a fixed number of samples is read.
 ChannelGlance glanceAt(const RawSamples &samples);
 
+/// The same in the channel's unit (physicalValue()); noise and step by the slope about the middle
+/// of the step.
+ChannelGlance glanceAt(const Channel &channel);
+
 /// What the channels of one recording may be, for the operator to take or not; Other where the
 /// records do not say. The shock passes the sensors in the wall before it reaches the DUT: of the
 /// records that step, the last is the DUT's (of several at once the one that rings most) and the

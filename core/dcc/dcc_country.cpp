@@ -26,10 +26,10 @@ Findings countryCautions(const Recipe &recipe)
     constexpr std::array kParties{
         std::pair{"laboratory",
             DYNCAL_TEXT("core",
-                "The DCC names no country of the laboratory (it has ZZ): neither laboratory_country is a code of ISO 3166-1, as SE, nor does the address have one; type it into the fields of the certificate or into the laboratory's card.")},
+                "The DCC names no country of the laboratory (it has ZZ): there is no code of ISO 3166-1, as SE, in its country field and none in its address; type it into the fields of the certificate or into the laboratory's card.")},
         std::pair{"customer",
             DYNCAL_TEXT("core",
-                "The DCC names no country of the customer (it has ZZ): neither customer_country is a code of ISO 3166-1, as SE, nor does the address have one; type it into the fields of the certificate or into the customer's card.")}};
+                "The DCC names no country of the customer (it has ZZ): there is no code of ISO 3166-1, as SE, in its country field and none in its address; type it into the fields of the certificate or into the customer's card.")}};
     Findings findings;
     for (const auto &[whose, sentence] : kParties)
         if (dccCountry(recipe, whose) == kNoCountry)

@@ -114,7 +114,7 @@ void checkCountries(const DccTree &tree, DccFindings &findings)
             if (!isCountryCode(node.text()))
                 findings.push_back({"country", node.path(), node.text(),
                     {DYNCAL_TEXT("core",
-                         "A country is named by its two letters of ISO 3166-1; type laboratory_country and customer_country in the fields of the certificate."),
+                         "A country is named by its two letters of ISO 3166-1; type the countries of laboratory and customer into the fields of the certificate."),
                         {}}});
 }
 

@@ -68,8 +68,7 @@ Result<void> checkPlace(const RegistryAddress &address, RegistryAccess access)
     std::error_code error;
     if (access != RegistryAccess::Write && !fs::is_regular_file(address.file, error))
         return fail(ErrorKind::FileUnreadable,
-            {DYNCAL_TEXT(
-                 "core", "There is no registry %1; name the file or the server with --registry."),
+            {DYNCAL_TEXT("core", "There is no registry %1; name its file or server."),
                 {address.shown()}});
     if (access == RegistryAccess::Read)
         return {};

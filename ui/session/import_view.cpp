@@ -107,7 +107,7 @@ void addChannels(ImportView &view, const CaptureSet &set)
             const auto known = std::ranges::find(view.channels, channel.name, &ImportChannel::name);
             if (known == view.channels.end())
                 view.channels.push_back({channel.name, channel.unit, channel.role, channel.role, {},
-                    channel.samples.size(), glanceAt(channel.samples)});
+                    channel.samples.size(), glanceAt(channel)});
             if (view.sampleRate_Hz <= 0.0)
                 view.sampleRate_Hz = channel.sampleRate_Hz;
         }

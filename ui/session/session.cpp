@@ -123,6 +123,7 @@ void Session::reset(const ProjectState &state)
     m_undo.clear();
     if (state.hasShots())
         return;
+    m_cache = std::make_shared<ResultCache>(); // nothing is open: nor is its memory kept
     emit capturesChanged();
     emit recipeChanged();
     emit resultsChanged();

@@ -13,6 +13,9 @@
 #include <QLabel>
 #include <QMainWindow>
 #include <QMessageBox>
+#include <QScreen>
+#include <QScrollArea>
+#include <QScrollBar>
 #include <QVBoxLayout>
 
 namespace dyncal {
@@ -34,6 +37,14 @@ QString tableOf(const std::vector<std::pair<QString, QString>> &rows)
     return table + "</table>";
 }
 
+constexpr double kMostOfScreen = 0.9;
+
+QSize scrollBars(const QScrollArea &area)
+{
+    return {area.verticalScrollBar()->sizeHint().width(),
+        area.horizontalScrollBar()->sizeHint().height()};
+}
+
 } // namespace
 
 void showShortcuts(QMainWindow &window)
@@ -42,7 +53,8 @@ void showShortcuts(QMainWindow &window)
     dialog.setObjectName("shortcutSheet");
     dialog.setWindowTitle(Help::tr("Keyboard and mouse"));
     auto *layout = new QVBoxLayout(&dialog);
-    auto *columns = new QHBoxLayout;
+    auto *sheet = new QWidget;
+    auto *columns = new QHBoxLayout(sheet);
     for (const auto &[heading, rows] : {std::pair(Help::tr("Everywhere"), shortcutsOf(window)),
              std::pair(Help::tr("In plots"), plotShortcuts())}) {
         auto *table
@@ -51,10 +63,18 @@ void showShortcuts(QMainWindow &window)
         table->setAlignment(Qt::AlignTop);
         columns->addWidget(table);
     }
-    layout->addLayout(columns);
+    auto *area = new QScrollArea(&dialog);
+    area->setFrameShape(QFrame::NoFrame);
+    area->setWidgetResizable(true);
+    area->setWidget(sheet);
+    layout->addWidget(area);
     auto *buttons = new QDialogButtonBox(QDialogButtonBox::Close, &dialog);
     QObject::connect(buttons, &QDialogButtonBox::rejected, &dialog, &QDialog::reject);
     layout->addWidget(buttons);
+    // As large as its tables, which in large letters are larger than the screen.
+    const QSize beside = dialog.sizeHint() - area->sizeHint() + scrollBars(*area);
+    dialog.resize((sheet->sizeHint() + beside)
+                      .boundedTo(kMostOfScreen * window.screen()->availableGeometry().size()));
     dialog.exec();
 }
 

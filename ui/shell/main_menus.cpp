@@ -190,6 +190,7 @@ void MainMenus::addLanguageMenu()
     // Every language has its own name for itself, so that everyone finds theirs.
     const std::pair<QString, QString> languages[]
         = {{"en", QStringLiteral("English")}, {"sv", QStringLiteral("Svenska")}};
+    auto *onlyOne = new QActionGroup(menu);
     for (const auto &[code, name] : languages) {
         QAction *action = addAction(menu, "languageAction_" + code, name, {}, [this, c = code] {
             m_parts.preferences.setLanguage(c);
@@ -197,6 +198,7 @@ void MainMenus::addLanguageMenu()
         });
         action->setCheckable(true);
         action->setChecked(m_parts.language.code() == code);
+        onlyOne->addAction(action);
     }
 }
 

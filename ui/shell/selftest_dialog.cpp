@@ -11,6 +11,7 @@
 #include "ui/stages/frame/prompts.h"
 #include "ui/stages/frame/value_table.h"
 #include "ui/text/core_text.h"
+#include "ui/text/progress_format.h"
 #include "ui/text/quantity_format.h"
 #include "ui/text/shown_text.h"
 
@@ -49,6 +50,7 @@ SelfTestDialog::SelfTestDialog(CurrentUtc currentUtc, Prompts &prompts, Preferen
     m_verdict->setWordWrap(true);
     m_progress->setObjectName("selfTestProgress");
     m_progress->setRange(0, kProgressSteps);
+    m_progress->setFormat(progressFormat());
     m_progress->setAccessibleName(tr("Progress of the self-test"));
     auto *buttons = new QDialogButtonBox(this);
     m_again = buttons->addButton(tr("&Test again"), QDialogButtonBox::ActionRole);
@@ -136,7 +138,7 @@ void SelfTestDialog::showTable()
             shownNumber(check.found, kCheckDigits), shownNumber(check.tolerance, kToleranceDigits),
             shownNumber(check.sensitivity, kToleranceDigits), translated(check.source)};
     m_table->setValues({tr("Verdict"), tr("Step"), tr("What"), tr("Expected"), tr("Found"),
-                           tr("Tolerance"), tr("Change for 1e-12"), tr("Known from")},
+                           tr("Tolerance"), tr("Change for 10⁻¹²"), tr("Known from")},
         deviating + holding);
     m_table->horizontalHeaderItem(6)->setToolTip(
         tr("How far the result moves when all data change by a part in 10^12"));

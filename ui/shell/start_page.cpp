@@ -3,9 +3,9 @@
 
 #include "ui/shell/start_page.h"
 
+#include "ui/shell/start_button.h"
 #include "ui/stages/frame/wrapped_controls.h"
 
-#include <QCommandLinkButton>
 #include <QFrame>
 #include <QIcon>
 #include <QLabel>
@@ -33,12 +33,12 @@ StartPage::StartPage(QWidget *parent)
 
     const auto addButton = [&](const QString &name, const QString &text, const QString &hint,
                                void (StartPage::*signal)()) {
-        auto *button = new QCommandLinkButton(text, hint, this);
+        auto *button = new StartButton(text, hint, this);
         button->setObjectName(name);
         button->setAccessibleName(text);
         button->setAccessibleDescription(hint);
         button->setMinimumWidth(480);
-        connect(button, &QCommandLinkButton::clicked, this, signal);
+        connect(button, &QPushButton::clicked, this, signal);
         column->addWidget(button);
     };
     addButton("startOpenCaptures", tr("Open captures..."),

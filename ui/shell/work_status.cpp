@@ -3,6 +3,8 @@
 
 #include "ui/shell/work_status.h"
 
+#include "ui/text/progress_format.h"
+
 #include <QLabel>
 #include <QProgressBar>
 #include <QPushButton>
@@ -28,6 +30,7 @@ WorkStatus::WorkStatus(QStatusBar &bar, Session &session, FileActions &files, QO
 {
     m_progress->setObjectName("progressBar");
     m_progress->setRange(0, 100);
+    m_progress->setFormat(progressFormat());
     m_progress->setFixedWidth(kProgressWidth_px);
     m_cancel->setObjectName("cancelButton");
     m_message->setObjectName("statusMessage");

@@ -57,7 +57,7 @@ QStringList rowOf(const WayComparison &check)
         row << kNone << kNone << kNone << kNone << kNone;
     } else {
         row << inRowsUnit(check.value_a, check).value << inRowsUnit(check.value_b, check).value
-            << shownNumber(check.difference() / check.u, 2)
+            << shownFigures(check.difference() / check.u, 2)
             << shownQuantityBeside(
                    check.smallestDetectable(), check.value_b, shownText(check.unit), 2)
             << shownWithU(inRowsUnit(check.difference(), check));

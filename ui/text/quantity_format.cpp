@@ -79,6 +79,19 @@ QString shownNumber(double value, int digits)
     return std::isfinite(value) ? inLanguage(numberText(value, digits)) : nothing();
 }
 
+QString shownFigures(double value, int digits)
+{
+    constexpr double kLeast = 1e-4, kMost = 1e6;
+    const double magnitude = std::abs(value);
+    if (!(magnitude >= kLeast && magnitude < kMost))
+        return shownNumber(value, digits);
+    // Rounding may make it ten times as large: 0.996 to two digits.
+    const double place = std::floor(std::log10(magnitude)) - (digits - 1);
+    const double rounded = std::round(magnitude / std::pow(10.0, place)) * std::pow(10.0, place);
+    const int leading = static_cast<int>(std::floor(std::log10(rounded) + 1e-12));
+    return inLanguage(fixedText(value, std::max(digits - 1 - leading, 0)));
+}
+
 QString shownQuantity(const std::optional<double> &value, const QString &unit, int digits)
 {
     return value ? shownQuantity(*value, unit, digits) : nothing();
@@ -132,7 +145,7 @@ QString inDecimalMark(const QString &text, QChar mark)
         return text;
     // A unit has no digits but exponents and no '.': "2.5.1" is a version, "1.5 a.csv" a name.
     static const QRegularExpression quantity(QStringLiteral(
-        "^[-+\u2212\u00b1]?\\d+(\\.\\d+)?(e[-+]?\\d+)?( ?[^\\d\\s.]{1,8})?"
+        "^([<>\u2264\u2265] ?)?[-+\u2212\u00b1]?\\d+(\\.\\d+)?(e[-+]?\\d+)?( ?[^\\d\\s.]{1,8})?"
         "([ ,\u2013][^.\\d]{0,6}[-+]?\\d+(\\.\\d+)?(e[-+]?\\d+)?( ?[^\\d\\s.]{1,8})?)*$"));
     if (!quantity.match(text).hasMatch())
         return text;

@@ -13,6 +13,10 @@ namespace dyncal {
 /// files go through core/base/number_text.h.
 QString shownQuantity(double value, const QString &unit, int digits = 4);
 QString shownNumber(double value, int digits = 4);
+
+/// To so many digits, zeros at the end included: "7.0" beside "7.4"; like shownNumber() outside
+/// 1e-4..1e6.
+QString shownFigures(double value, int digits);
 /// "–" where there is no value.
 QString shownQuantity(const std::optional<double> &value, const QString &unit, int digits = 4);
 

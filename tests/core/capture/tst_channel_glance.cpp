@@ -40,6 +40,7 @@ class TestChannelGlance : public QObject
 
 private slots:
     void step_isFoundWithItsNoise();
+    void ofAChannel_isInItsUnit();
     void noStep_isNone();
     void trace_holdsEverySample();
     void invalidSamples_areLeftOut();
@@ -58,6 +59,27 @@ void TestChannelGlance::step_isFoundWithItsNoise()
         QVERIFY(std::abs(glance.noise - 1.0) < 0.1);
         QVERIFY(std::abs(glance.step - 50.0) < 10.0);
         QVERIFY(std::abs(static_cast<double>(glance.stepAt) - 40.65) <= 1.5); // of 100 stretches
+    }
+}
+
+/// Counts of a quarter of a millivolt behind an offset, upside down and amplified tenfold.
+void TestChannelGlance::ofAChannel_isInItsUnit()
+{
+    const std::vector<double> counts = ringingStep(50.0, 8130, 4);
+    const ChannelGlance ofCounts = glanceAt(std::span<const double>(counts));
+    Channel channel;
+    channel.samples = RawSamples(std::vector<double>(counts));
+    channel.polynomial = {3.0, 0.25e-3};
+    channel.polarity = -1.0;
+    channel.userScale = 0.1;
+    const ChannelGlance glance = glanceAt(channel);
+    constexpr double kVoltsPerCount = -0.25e-4;
+    QVERIFY(std::abs(glance.step / (kVoltsPerCount * ofCounts.step) - 1.0) < 1e-9);
+    QVERIFY(std::abs(glance.noise / std::abs(kVoltsPerCount * ofCounts.noise) - 1.0) < 1e-9);
+    QCOMPARE(glance.trace.size(), ofCounts.trace.size());
+    for (std::size_t i = 0; i < glance.trace.size(); ++i) {
+        QVERIFY(glance.trace[i].min <= glance.trace[i].max);
+        QCOMPARE(glance.trace[i].min, physicalValue(channel, ofCounts.trace[i].max));
     }
 }
 

@@ -12,6 +12,7 @@
 #include <QtTest>
 
 #include <atomic>
+#include <mutex>
 
 using namespace dyncal;
 
@@ -87,6 +88,7 @@ class TestSession : public QObject
 
 private slots:
     void reset_withShots_computesInTheBackground();
+    void reset_toNothing_keepsNoResult();
     void apply_changedOrder_givesNewResultsAndOneUndoStep();
     void apply_sameRecipe_doesNothing();
     void apply_whileDragging_isOneUndoStep();
@@ -119,6 +121,27 @@ void TestSession::reset_withShots_computesInTheBackground()
     QCOMPARE(shownOrder(session), Index(2));
     QVERIFY(session.undoStack().isClean());
     QCOMPARE(session.undoStack().count(), 0);
+}
+
+void TestSession::reset_toNothing_keepsNoResult()
+{
+    std::weak_ptr<const int> kept;
+    std::once_flag once;
+    Session session(
+        [&, pipeline = FakePipeline()](const std::shared_ptr<const CaptureSet> &captures,
+            const Recipe &recipe, ResultCache &cache, StageId last, const JobControl &control) {
+            std::call_once(once, [&] {
+                const auto value = std::make_shared<const int>(1);
+                cache.store("value", value);
+                kept = value;
+            });
+            return pipeline(captures, recipe, cache, last, control);
+        });
+    session.reset(threeShots());
+    QTRY_VERIFY(!session.isComputing());
+    QVERIFY(!kept.expired());
+    session.reset({});
+    QTRY_VERIFY(kept.expired());
 }
 
 void TestSession::apply_changedOrder_givesNewResultsAndOneUndoStep()

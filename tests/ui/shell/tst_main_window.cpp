@@ -326,6 +326,9 @@ void TestMainWindow::language_switched_retranslatesEverything()
     QVERIFY(bench.find<QWidget>("orderPage")->isVisible()); // still on the same page
     QCOMPARE(bench.order(), Index(3));
     QVERIFY(bench.find<QAction>("languageAction_sv")->isChecked());
+    bench.find<QAction>("languageAction_sv")->trigger(); // once more: it stays the one
+    QVERIFY(bench.find<QAction>("languageAction_sv")->isChecked());
+    QVERIFY(!bench.find<QAction>("languageAction_en")->isChecked());
     bench.find<QAction>("languageAction_en")->trigger();
     QCoreApplication::processEvents();
 }

@@ -61,6 +61,8 @@ private slots:
     void beside_isInTheUnitOfTheValue();
     void resultBeside_hasItsPrefixAndThePlaceOfU();
     void swedish_thousandsAreNotGrouped();
+    void swedish_boundHasADecimalComma();
+    void figures_keepTheirZeros();
     void notFinite_isADash();
 };
 
@@ -212,6 +214,28 @@ void TestShownNumbers::swedish_thousandsAreNotGrouped()
     QCOMPARE(shownNumber(1234567.5, 9), QString("1234567,5"));
     QCOMPARE(shownQuantity(1234.5, "Hz", 6), QString("1,2345 kHz"));
     QCOMPARE(shownWithU(1.0, 0.012, "1"), QString("1,000 ± 0,012"));
+}
+
+void TestShownNumbers::swedish_boundHasADecimalComma()
+{
+    const test::InSwedish swedish;
+    QCOMPARE(inDecimalMark("< 0.001"), QString("< 0,001"));
+    QCOMPARE(inDecimalMark("≥ 2.5 kHz"), QString("≥ 2,5 kHz"));
+    QCOMPARE(inDecimalMark("<file 2.5.1>"), QString("<file 2.5.1>"));
+}
+
+void TestShownNumbers::figures_keepTheirZeros()
+{
+    QCOMPARE(shownFigures(7.0, 2), QString("7.0"));
+    QCOMPARE(shownFigures(7.44, 2), QString("7.4"));
+    QCOMPARE(shownFigures(0.996, 2), QString("1.0"));
+    QCOMPARE(shownFigures(9.96, 2), QString("10"));
+    QCOMPARE(shownFigures(99.6, 2), QString("100"));
+    QCOMPARE(shownFigures(-0.05, 2), QString("-0.050"));
+    QCOMPARE(shownFigures(123.0, 2), QString("123"));
+    QCOMPARE(shownFigures(0.0, 2), QString("0"));
+    QCOMPARE(shownFigures(1e-7, 2), shownNumber(1e-7, 2));
+    QCOMPARE(shownFigures(std::nan(""), 2), kDash);
 }
 
 void TestShownNumbers::notFinite_isADash()

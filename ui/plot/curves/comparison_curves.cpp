@@ -20,7 +20,7 @@ using OneOfTwo = ReportedValue ComparedRow::*;
 /// Bars, not a band: between two frequencies there may be a resonance.
 PlotCurve barsOfOne(const QString &name, CurveRole role, const Rows &rows, OneOfTwo one)
 {
-    PlotCurve bars{name, role, CurveStyle::Line, {}, {}, true};
+    PlotCurve bars{name, role, CurveStyle::ErrorBars, {}, {}, true};
     for (const ComparedRow &row : rows) {
         const ReportedValue &stated = row.*one;
         const auto U = stated.expanded();

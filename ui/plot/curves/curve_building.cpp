@@ -184,7 +184,7 @@ PlotContent spectraContent(const QString &title, const WindowResult &window,
 
 PlotCurve barsOf(const QString &name, CurveRole role, const BarPoints &points)
 {
-    PlotCurve bars{name, role, CurveStyle::Line, {}, {}, true};
+    PlotCurve bars{name, role, CurveStyle::ErrorBars, {}, {}, true};
     for (const BarPoint &point : points) {
         bars.x.insert(bars.x.end(), 3, point.x);
         bars.y.insert(bars.y.end(), {point.y - point.U, point.y + point.U, std::nan("")});

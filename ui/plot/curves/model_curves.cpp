@@ -106,7 +106,7 @@ void addMeasured(PlotContent &content, const Eigen::VectorXd &frequency_Hz,
         return;
     const std::vector<double> x = toVector(frequency_Hz);
     if (u.size() == values.size()) {
-        PlotCurve bars{Plots::tr("± 2u"), CurveRole::Noise, CurveStyle::Line, {}, {}, true};
+        PlotCurve bars{Plots::tr("± 2u"), CurveRole::Noise, CurveStyle::ErrorBars, {}, {}, true};
         for (Index i = 0; i < u.size(); ++i) {
             if (!std::isfinite(u[i]) || !(u[i] > 0.0))
                 continue;

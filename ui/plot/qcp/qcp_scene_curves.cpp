@@ -155,6 +155,11 @@ void SceneCurves::styleCurve(DrawnCurve &drawn) const
         drawn.graph->setScatterStyle(scatterStyle(MarkerShape::Dot, style.color, kDotSize));
         drawn.graph->setPen(QPen(style.color, 1));
         break;
+    case CurveStyle::ErrorBars:
+        drawn.graph->setLineStyle(QCPGraph::lsLine);
+        drawn.graph->setScatterStyle(QCPScatterStyle(QCPScatterStyle::ssNone));
+        drawn.graph->setPen(QPen(style.color, style.width));
+        break;
     default:
         styleLine(drawn);
     }

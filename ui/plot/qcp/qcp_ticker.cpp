@@ -45,6 +45,15 @@ int decimalsOf(double step)
     return kMaxDecimals;
 }
 
+constexpr int kMoreTicks = 4;
+
+/// Inside: one on the edge may be left out for a rounding.
+double multiplesIn(const QCPRange &range, double step)
+{
+    const double edge = 1e-6 * range.size();
+    return std::floor((range.upper - edge) / step) - std::ceil((range.lower + edge) / step) + 1.0;
+}
+
 } // namespace
 
 PrefixTicker::PrefixTicker(const PlotAxis &axis)
@@ -55,8 +64,18 @@ PrefixTicker::PrefixTicker(const PlotAxis &axis)
 
 double PrefixTicker::getTickStep(const QCPRange &range)
 {
-    const double step = QCPAxisTicker::getTickStep(range);
-    return m_axis.integers ? std::max(1.0, std::round(step)) : step;
+    double step = QCPAxisTicker::getTickStep(range);
+    if (m_axis.integers)
+        return std::max(1.0, std::round(step));
+    // One number alone says nothing of the scale.
+    const int wanted = tickCount();
+    for (int count = wanted + 1; count <= wanted + kMoreTicks && multiplesIn(range, step) < 2.0;
+         ++count) {
+        setTickCount(count);
+        step = QCPAxisTicker::getTickStep(range);
+    }
+    setTickCount(wanted);
+    return step;
 }
 
 int PrefixTicker::getSubTickCount(double tickStep)

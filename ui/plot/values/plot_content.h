@@ -42,7 +42,8 @@ enum class CurveRole {
     NewPole, ///< markers of the stabilisation strip, beside UnstablePole
 };
 
-enum class CurveStyle { Line, Steps, Dots, LineAndDots, Markers, Stems, Bars };
+/// ErrorBars: lines between pairs of points, each pair parted from the next by a NaN.
+enum class CurveStyle { Line, Steps, Dots, LineAndDots, Markers, Stems, Bars, ErrorBars };
 
 /// One curve as values: what is drawn, exported as CSV and printed is the same data.
 struct PlotCurve

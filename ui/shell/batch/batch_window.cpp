@@ -8,6 +8,7 @@
 #include "ui/shell/batch/batch_plan_dialog.h"
 #include "ui/shell/files/file_actions.h"
 #include "ui/text/core_text.h"
+#include "ui/text/progress_format.h"
 #include "ui/text/shown_text.h"
 
 #include <QCheckBox>
@@ -163,6 +164,7 @@ void BatchWindow::askForNewPlan()
 void BatchWindow::makePlan(const BatchRequest &request)
 {
     m_progress->setRange(0, kPlanSteps);
+    m_progress->setFormat(progressFormat());
     m_progress->setValue(0);
     m_job.start<bool>(
         [request](const JobControl &control) -> Result<bool> {

@@ -55,9 +55,8 @@ QStringList rowOf(const ShotPressure &shot, const CorrectionFilter &filter)
     pressure.pressure_Pa.cwiseAbs().maxCoeff(&at);
     const double largest_Pa = pressure.pressure_Pa[at];
     const double U_Pa = pressure.k[at] * pressure.u_Pa[at];
-    return {QString::number(shot.shot), shownText(shot.channel),
-        shownQuantityBeside(largest_Pa, largest_Pa, Pa, kDigitsOnPages),
-        shownQuantityBeside(U_Pa, largest_Pa, Pa, kUDigits),
+    const ShownResult largest = shownResult(largest_Pa, U_Pa, Pa);
+    return {QString::number(shot.shot), shownText(shot.channel), largest.value, largest.u,
         shownNumber(pressure.k[at], kFactorDigits),
         shownQuantity(
             pressure.time_s + static_cast<double>(at) / pressure.rate_Hz, QStringLiteral("s")),
@@ -119,7 +118,6 @@ PlotWidget *CorrectionView::addPlot(
     auto *plot = new PlotWidget(this);
     plot->setObjectName(objectName);
     plot->setAccessibleName(name);
-    plot->setMinimumHeight(scale::kLeastPlot);
     PlotContent nothing;
     nothing.title = name;
     plot->setContent(nothing);

@@ -13,12 +13,14 @@
 #include "ui/stages/frame/inspector_scroll.h"
 #include "ui/stages/frame/prompts.h"
 #include "ui/text/core_text.h"
+#include "ui/text/progress_format.h"
 #include "ui/text/shown_text.h"
 
 #include <QDialogButtonBox>
 #include <QEvent>
 #include <QFileInfo>
 #include <QProgressBar>
+#include <QScrollArea>
 
 namespace dyncal {
 
@@ -64,7 +66,12 @@ void CorrectionWindow::buildContents()
     m_verdict->setObjectName("correctionVerdict");
     m_verdict->setTextInteractionFlags(Qt::TextSelectableByMouse);
     auto *columns = new QHBoxLayout;
-    columns->addWidget(m_view, 1);
+    auto *shown = new QScrollArea; // plots keep their height on a small screen
+    shown->setFrameShape(QFrame::NoFrame);
+    shown->setFocusPolicy(Qt::NoFocus);
+    shown->setWidgetResizable(true);
+    shown->setWidget(m_view);
+    columns->addWidget(shown, 1);
     columns->addWidget(new InspectorScroll(m_form));
     auto *rows = new QVBoxLayout(m_contents);
     rows->setContentsMargins(0, 0, 0, 0);
@@ -87,6 +94,7 @@ QWidget *CorrectionWindow::buildButtons()
     m_progress = new QProgressBar;
     m_progress->setObjectName("correctionProgress");
     m_progress->setRange(0, kProgressSteps);
+    m_progress->setFormat(progressFormat());
     m_progress->setAccessibleName(tr("Progress of the correction"));
     m_correct = buttons->addButton(tr("C&orrect"), QDialogButtonBox::ActionRole);
     m_correct->setObjectName("correctionStart");

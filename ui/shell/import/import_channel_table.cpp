@@ -26,9 +26,9 @@ namespace {
 
 enum Column {
     Name,
+    Role,
     Trace,
     Looks,
-    Role,
     Unit,
     Factor,
     Gain,
@@ -40,6 +40,10 @@ enum Column {
 };
 
 const std::array<std::string, 3> kReferences{"", "gauge", "absolute"};
+constexpr int kMostChars = 45; ///< of a column
+constexpr int kUnitChars = 14;
+constexpr int kNumberChars = 14;
+constexpr int kSensitivityChars = 26; ///< with its unit
 constexpr double kMillivoltPerKilopascal = 1e-6; ///< in V/Pa
 constexpr double kSmallest = 1e-30;
 constexpr double kLargest = 1e30;
@@ -78,7 +82,7 @@ ImportChannelTable::ImportChannelTable(QWidget *parent)
 {
     setObjectName("importChannels");
     setAccessibleName(tr("Channels of the file"));
-    setHorizontalHeaderLabels({tr("Channel"), tr("Trace"), tr("Looks like"), tr("Role"), tr("Unit"),
+    setHorizontalHeaderLabels({tr("Channel"), tr("Role"), tr("Trace"), tr("Looks like"), tr("Unit"),
         tr("Factor"), tr("Gain"), tr("Sensitivity / (mV/kPa)"), tr("Inverted"), tr("Pressure"),
         tr("Samples")});
     setEditTriggers(QAbstractItemView::NoEditTriggers);
@@ -86,7 +90,7 @@ ImportChannelTable::ImportChannelTable(QWidget *parent)
     setTabKeyNavigation(false); // Tab goes through the controls
     verticalHeader()->hide();
     horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
-    horizontalHeader()->setSectionResizeMode(Name, QHeaderView::Stretch);
+    horizontalHeader()->setMaximumSectionSize(kMostChars * fontMetrics().averageCharWidth());
 }
 
 void ImportChannelTable::setChannels(
@@ -142,7 +146,7 @@ void ImportChannelTable::makeRow(int row, const ImportChannel &channel)
     }
 
     auto *unit = new QLineEdit(this);
-    unit->setMaximumWidth(70);
+    unit->setMaximumWidth(kUnitChars * fontMetrics().averageCharWidth());
     connect(unit, &QLineEdit::editingFinished, this, [this, row, unit] {
         const std::string text = unit->text().trimmed().toStdString();
         change(row, [&](ChannelImport &details) {
@@ -162,7 +166,8 @@ void ImportChannelTable::makeNumbers(int row, const QString &name)
             = new OptionalEdit({column == Sensitivity ? QStringLiteral("mV/kPa") : QString(), si},
                 kSmallest, kLargest, this);
         edit->setEmptyText(column == Sensitivity ? QString() : QStringLiteral("1"));
-        edit->setMaximumWidth(column == Sensitivity ? 150 : 80);
+        edit->setMaximumWidth((column == Sensitivity ? kSensitivityChars : kNumberChars)
+            * fontMetrics().averageCharWidth());
         connect(edit, &OptionalEdit::edited, this,
             [this, row, member](const std::optional<double> &value) {
                 change(row, [&](ChannelImport &details) { details.*member = value; });

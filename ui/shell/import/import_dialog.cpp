@@ -25,6 +25,7 @@
 #include <QLineEdit>
 #include <QPushButton>
 #include <QRadioButton>
+#include <QScreen>
 
 #include <algorithm>
 
@@ -33,7 +34,8 @@ namespace dyncal {
 namespace {
 
 constexpr int kTypingPause_ms = 150; ///< what is typed is not read letter by letter
-constexpr QSize kFirstSize(980, 760);
+constexpr QSize kFirstSize_chars(150, 45);
+constexpr double kMostOfScreen = 0.9;
 
 } // namespace
 
@@ -79,7 +81,10 @@ ImportDialog::ImportDialog(const QString &path, const ImportSettings &settings, 
     m_later.setSingleShot(true);
     m_later.setInterval(kTypingPause_ms);
     connect(&m_later, &QTimer::timeout, this, &ImportDialog::lookNow);
-    resize(kFirstSize);
+    const QSize letters(fontMetrics().averageCharWidth(), fontMetrics().height());
+    resize(QSize(
+        kFirstSize_chars.width() * letters.width(), kFirstSize_chars.height() * letters.height())
+               .boundedTo(kMostOfScreen * screen()->availableGeometry().size()));
     showSettings();
     lookNow();
 }

@@ -17,6 +17,12 @@
 
 namespace dyncal {
 
+namespace {
+
+constexpr int kRateChars = 32; ///< digits, the unit and the box that says whether it is known
+
+} // namespace
+
 ImportRateRow::ImportRateRow(QWidget *parent)
     : QWidget(parent)
     , m_rate(new OptionalEdit({"MHz", 1e6}, 1e-3, 1e12, this))
@@ -26,7 +32,7 @@ ImportRateRow::ImportRateRow(QWidget *parent)
     , m_useHeader(named(new QPushButton(this), "useHeader", {}))
 {
     m_rate->setNames("importRate", tr("Sample rate"));
-    m_rate->setMaximumWidth(180);
+    m_rate->setMaximumWidth(kRateChars * fontMetrics().averageCharWidth());
     connect(m_rate, &OptionalEdit::edited, this, &ImportRateRow::rateTyped);
     m_reason->setPlaceholderText(m_reason->accessibleName());
     connect(m_reason, &QLineEdit::textEdited, this,

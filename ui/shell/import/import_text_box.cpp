@@ -76,14 +76,20 @@ ImportTextBox::ImportTextBox(QWidget *parent)
     connect(m_shots, &QCheckBox::clicked, this, &ImportTextBox::shotColumnsChosen);
     m_counts->setObjectName("importCounts");
 
-    auto *row = new QHBoxLayout;
+    auto *settings = new QGridLayout;
+    int place = 0;
     for (QWidget *control :
         std::initializer_list<QWidget *>{m_separator, m_decimal, m_header, m_time}) {
-        row->addWidget(new QLabel(control->accessibleName(), this));
-        row->addWidget(control, 1);
+        const int row = place / 2, column = 2 * (place % 2);
+        settings->addWidget(new QLabel(control->accessibleName(), this), row, column);
+        settings->addWidget(control, row, column + 1);
+        settings->setColumnStretch(column + 1, 1);
+        ++place;
     }
+    for (QComboBox *choice : {m_separator, m_decimal, m_time})
+        choice->setSizeAdjustPolicy(QComboBox::AdjustToContents);
     auto *column = new QVBoxLayout(this);
-    column->addLayout(row);
+    column->addLayout(settings);
     column->addWidget(m_shots, 0, Qt::AlignLeft);
     column->addWidget(m_preview);
     column->addWidget(m_counts);

@@ -99,14 +99,15 @@ QVariantList rowOf(const QJsonValue &point, const QJsonValue &value)
 {
     const QString unit = unitOf(value);
     const double stated = numberOf(value["value"]), U = numberOf(value["u_expanded"]);
+    const bool hasU = std::isfinite(U);
+    const ShownResult shown = shownResult(stated, hasU ? U : numberOf(value["u"]), unit);
     const qint64 number = point["certificate"].toInteger();
     return {shownText(point["time"].toString()).left(kCharsOfDay),
         number > 0 ? QVariant(number) : QVariant(),
-        std::isfinite(stated) ? shownResult(stated, numberOf(value["u"]), unit).value
-                              : QStringLiteral("–"),
-        std::isfinite(U) ? shownResult(stated, U, unit).u : QStringLiteral("–"),
-        numberOrNone(value["k"], kDigitsOfRatio), numberOrNone(value["e_n"], kDigitsOfU),
-        stateText(value["control_state"].toString()), remarkOf(point, value)};
+        std::isfinite(stated) ? shown.value : QStringLiteral("–"),
+        hasU ? shown.u : QStringLiteral("–"), numberOrNone(value["k"], kDigitsOfRatio),
+        numberOrNone(value["e_n"], kDigitsOfU), stateText(value["control_state"].toString()),
+        remarkOf(point, value)};
 }
 
 std::optional<ControlLimits> limitsOf(const QJsonValue &series)

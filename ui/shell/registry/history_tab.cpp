@@ -119,7 +119,7 @@ void HistoryTab::showWords()
     m_frequencies->setToolTip(tr(
         "Frequencies of which magnitude and phase are followed; the nearest row within 3 % serves"));
     m_save->setText(tr("Sa&ve table..."));
-    m_table->setTitles({tr("Day"), tr("Certificate"), tr("Value"), tr("U"), tr("k"), tr("E_n"),
+    m_table->setTitles({tr("Day"), tr("Certificate"), tr("Value"), tr("U"), tr("k"), tr("Eₙ"),
                            tr("Control chart"), tr("Remark")},
         tr("Calibrations of the sensor"));
     show(m_history);

@@ -12,6 +12,7 @@
 #include "ui/shell/registry/signing_panel.h"
 #include "ui/stages/frame/prompts.h"
 #include "ui/text/finding_text.h"
+#include "ui/text/progress_format.h"
 #include "ui/text/shown_text.h"
 
 #include <QDir>
@@ -106,6 +107,7 @@ IssueDialog::IssueDialog(Session &session, CurrentUtc currentUtc, FileActions &f
     m_obstacles->setWordWrap(true);
     m_progress->setObjectName("issueProgress");
     m_progress->setRange(0, 0);
+    m_progress->setFormat(progressFormat());
     m_progress->hide();
     m_outcome->setObjectName("issueOutcome");
     for (QLabel *label : {m_state, m_outcome})

@@ -47,6 +47,15 @@ constexpr std::array kKinds{
     Word{"project", QT_TRANSLATE_NOOP("dyncal::RegistryRows", "project")},
     Word{"recording", QT_TRANSLATE_NOOP("dyncal::RegistryRows", "recording")},
     Word{"file", QT_TRANSLATE_NOOP("dyncal::RegistryRows", "file")},
+    Word{"laboratory", QT_TRANSLATE_NOOP("dyncal::RegistryRows", "laboratory")},
+    Word{"customer", QT_TRANSLATE_NOOP("dyncal::RegistryRows", "customer")},
+    Word{"sensor", QT_TRANSLATE_NOOP("dyncal::RegistryRows", "sensor")},
+    Word{"reference", QT_TRANSLATE_NOOP("dyncal::RegistryRows", "reference instrument")},
+};
+
+constexpr std::array kActions{
+    Word{"added", QT_TRANSLATE_NOOP("dyncal::RegistryRows", "added")},
+    Word{"changed", QT_TRANSLATE_NOOP("dyncal::RegistryRows", "changed")},
 };
 
 template <std::size_t n>
@@ -61,6 +70,21 @@ QString wordOf(const std::array<Word, n> &words, const QString &key)
 QString text(const QJsonValue &value)
 {
     return shownText(value.toString());
+}
+
+/// What was done, of a certificate or of a card.
+QString actionText(const QString &action)
+{
+    const auto isThis = [&](const Word &word) { return action == QLatin1String(word.key); };
+    return std::ranges::any_of(kStates, isThis) ? wordOf(kStates, action)
+                                                : wordOf(kActions, action);
+}
+
+/// "certificate 7", "customer 3" in the language of the window.
+QString objectText(const QString &object)
+{
+    const QString kind = object.section(' ', 0, 0);
+    return (wordOf(kKinds, kind) + ' ' + shownText(object.section(' ', 1))).trimmed();
 }
 
 /// Nothing in place of 0, which stands for none.
@@ -111,7 +135,8 @@ std::vector<QVariantList> trailRows(const QJsonArray &entries)
 {
     return rowsOf(entries, [](const QJsonValue &one) {
         return QVariantList{one["sequence"].toInteger(), timeText(one["utc"].toString()),
-            text(one["who"]), text(one["action"]), text(one["object"]), text(one["reason"])};
+            text(one["who"]), actionText(one["action"].toString()),
+            objectText(one["object"].toString()), text(one["reason"])};
     });
 }
 

@@ -10,6 +10,7 @@
 #include "ui/shell/registry/trail_tab.h"
 #include "ui/shell/registry/verify_tab.h"
 #include "ui/stages/frame/prompts.h"
+#include "ui/text/progress_format.h"
 
 #include <QEvent>
 #include <QHBoxLayout>
@@ -55,6 +56,7 @@ RegistryWindow::RegistryWindow(Prompts &prompts, Preferences &preferences, QWidg
     m_tabs->setObjectName("registryTabs");
     m_progress->setObjectName("registryProgress");
     m_progress->setRange(0, 0);
+    m_progress->setFormat(progressFormat());
     m_progress->hide();
     m_outcome->setObjectName("registryOutcome");
     m_outcome->setWordWrap(true);

@@ -66,6 +66,8 @@ constexpr std::array<FormField, 19> kFields{{
     {"remarks", 2},
 }};
 
+constexpr int kFormsPart = 2; ///< of the width, to that of the preview
+constexpr int kPreviewsPart = 3;
 constexpr int kLeastOfField = 16; ///< letters; a field without that room goes below its label
 constexpr const char *kRemarks = "remarks";
 
@@ -92,8 +94,10 @@ CertificatePage::CertificatePage(Session &session, CurrentUtc currentUtc)
     split->addWidget(m_form);
     m_preview = new PreviewPanel(session, std::move(currentUtc), split);
     split->addWidget(m_preview);
-    split->setStretchFactor(0, 2);
-    split->setStretchFactor(1, 3);
+    split->setStretchFactor(0, kFormsPart);
+    split->setStretchFactor(1, kPreviewsPart);
+    split->setSizes(
+        {1000 * kFormsPart, 1000 * kPreviewsPart}); // or the form takes what its hint wants
     split->setChildrenCollapsible(false);
     content()->addWidget(split);
     buildInspector();
@@ -126,7 +130,7 @@ InspectorScroll *CertificatePage::builtForm()
             if (isDate(field.key))
                 setWholePlaceholder(*line, tr("YYYY-MM-DD"));
             if (isCountry(field.key)) {
-                setWholePlaceholder(*line, QStringLiteral("SE"));
+                setWholePlaceholder(*line, tr("e.g. SE"));
                 line->setToolTip(tr("Two letters of ISO 3166-1, for the DCC; not printed"));
             }
             connect(line, &QLineEdit::editingFinished, this,

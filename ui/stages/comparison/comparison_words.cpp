@@ -40,7 +40,7 @@ QString signedPercent(double relative)
 
 QString numberText(double value)
 {
-    return std::isfinite(value) ? shownNumber(value, 2) : kNoNumber;
+    return std::isfinite(value) ? shownFigures(value, 2) : kNoNumber;
 }
 
 /// Frequencies at which the two differ by more than their U.

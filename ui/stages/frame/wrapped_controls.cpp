@@ -8,6 +8,7 @@
 #include <QStyleOptionButton>
 #include <QStyleOptionComboBox>
 #include <QStylePainter>
+#include <QTimer>
 
 #include <algorithm>
 
@@ -108,7 +109,11 @@ WrappedComboBox::WrappedComboBox(QWidget *parent)
     : QComboBox(parent)
 {
     mayBeHigher(*this);
-    connect(this, &QComboBox::currentTextChanged, this, [this] { updateGeometry(); });
+    connect(this, &QComboBox::currentTextChanged, this, [this] {
+        updateGeometry();
+        // A form that is just being laid out keeps the height it has asked for before.
+        QTimer::singleShot(0, this, [this] { updateGeometry(); });
+    });
     // Also where its own signals are blocked while it is filled.
     connect(model(), &QAbstractItemModel::rowsInserted, this, [this] { updateGeometry(); });
     connect(model(), &QAbstractItemModel::dataChanged, this, [this] { updateGeometry(); });

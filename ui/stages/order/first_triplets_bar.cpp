@@ -4,6 +4,7 @@
 #include "ui/stages/order/first_triplets_bar.h"
 
 #include "ui/session/session.h"
+#include "ui/text/progress_format.h"
 
 #include <QHBoxLayout>
 #include <QLabel>
@@ -33,6 +34,7 @@ FirstTripletsBar::FirstTripletsBar(Session &session, QWidget *parent)
     m_progress->setObjectName("firstTripletsProgress");
     m_progress->setAccessibleName(tr("Singular values computed"));
     m_progress->setRange(0, 100);
+    m_progress->setFormat(progressFormat());
     m_progress->setFixedWidth(kProgressWidth);
     m_cancel->setObjectName("cancelWholeSet");
     m_cancel->setToolTip(tr("Stop computing; the first singular values stay"));

@@ -41,7 +41,7 @@ QString shareText(double percent)
     constexpr double kLeastShown = 0.01;
     if (percent > 0.0 && percent < kLeastShown)
         return QStringLiteral("< ") + shownNumber(kLeastShown, 1) + QStringLiteral(" %");
-    return shownNumber(percent, 2) + QStringLiteral(" %");
+    return shownFigures(percent, 2) + QStringLiteral(" %");
 }
 
 QString sensitivityText(const UncertaintyLine &line, const ReportedValue &reported)

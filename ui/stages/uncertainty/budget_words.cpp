@@ -104,8 +104,11 @@ ShownUnit unitOfU(const UncertaintyLine &line, const ReportedValue &reported)
 
 QString uText(double u, const UncertaintyLine &line, const ReportedValue &reported)
 {
+    const InputWords words = inputWords(line.quantity);
+    if (words.in == CountedIn::Unit && std::isfinite(line.value))
+        return shownResult(line.value, u, words.unit).u;
     const ShownUnit unit = unitOfU(line, reported);
-    return (shownNumber(u / unit.si, 2) + QLatin1Char(' ') + unit.text).trimmed();
+    return (shownFigures(u / unit.si, 2) + QLatin1Char(' ') + unit.text).trimmed();
 }
 
 QString relativeText(double U, const Budget &budget)
@@ -113,7 +116,7 @@ QString relativeText(double U, const Budget &budget)
     const double value = std::abs(budget.reported.value);
     if (budget.kind == BudgetOf::Phase || !(value > 0.0))
         return shownQuantity(U, shownText(budget.reported.unit), 2);
-    return shownNumber(100.0 * U / value, 2) + QStringLiteral(" %");
+    return shownFigures(100.0 * U / value, 2) + QStringLiteral(" %");
 }
 
 QString factorText(const ReportedValue &reported)

@@ -99,7 +99,7 @@ void EarlierPanel::compareWith(const std::vector<ResponseRow> &present, const st
         sentence = tr("%1: no frequency is stated with U by both.").arg(name());
     else
         sentence = tr(
-            "%1: %2 of %3 rows agree within U; the largest |E_n| is %4, at %5. What both share, tube, references and method, is in both U: an |E_n| below 1 does not show that nothing changed.")
+            "%1: %2 of %3 rows agree within U; the largest |Eₙ| is %4, at %5. What both share, tube, references and method, is in both U: an |Eₙ| below 1 does not show that nothing changed.")
                        .arg(name(), QString::number(agreement.agreeing),
                            QString::number(agreement.compared),
                            shownNumber(std::abs(agreement.largestEn), kDigitsOfEn),

@@ -3,6 +3,7 @@
 
 #include "tests/support/test_program.h"
 #include "ui/plot/curves/curve_building.h"
+#include "ui/plot/qcp/qcp_ticker.h"
 #include "ui/plot/values/axis_prefix.h"
 #include "ui/plot/values/theme.h"
 
@@ -106,6 +107,7 @@ private slots:
     void prefix_ofRange_readsOneToThousand_data();
     void prefix_ofRange_readsOneToThousand();
     void prefix_ofDecades_isThatOfTheirMiddle();
+    void ticks_ofALowPlot_areTwoAtLeast();
     void label_withAndWithoutUnit_isWritten();
     void power_ofTen_usesSuperscripts();
     void value_withUnit_hasDigitsAskedFor();
@@ -360,6 +362,27 @@ void TestPlotLook::theme_stability_differsInMarker()
     for (const CurveRole a : classes)
         for (const CurveRole b : classes)
             QVERIFY(a == b || theme.style(a).marker != theme.style(b).marker);
+}
+
+/// One number alone says nothing of the scale.
+void TestPlotLook::ticks_ofALowPlot_areTwoAtLeast()
+{
+    dyncal::PrefixTicker ticker({"Error", "V"});
+    for (const int wanted : {2, 3, 5}) {
+        ticker.setTickCount(wanted);
+        for (double size = 1e-3; size < 20.0; size *= 1.01)
+            for (const double lower : {-0.5 * size, -0.7 * size, 0.013, 1.0, -7.3}) {
+                QVector<double> ticks;
+                QVector<QString> labels;
+                const QCPRange range(lower, lower + size);
+                ticker.generate(range, QLocale::c(), 'g', 6, ticks, nullptr, &labels);
+                const auto seen = std::ranges::count_if(
+                    ticks, [&](double tick) { return range.contains(tick); });
+                QVERIFY2(seen >= 2 && seen <= 12,
+                    qPrintable(QString("%1 + %2: %3").arg(lower).arg(size).arg(seen)));
+            }
+        QCOMPARE(ticker.tickCount(), wanted);
+    }
 }
 
 void TestPlotLook::contrast_blackOnWhite_isTwentyOne()

@@ -319,8 +319,8 @@ void TestImportDialog::eachColumnAShot_importsOneShotPerColumn()
     auto *table = dialog->findChild<ImportChannelTable *>("importChannels");
     QCOMPARE(table->rowCount(), 3);
     QCOMPARE(table->item(0, 0)->text(), QString("a"));
-    QCOMPARE(table->item(2, 3)->text(), QString("DUT, shot 3"));
-    QVERIFY(table->cellWidget(2, 1)); // each has its trace
+    QCOMPARE(table->item(2, 1)->text(), QString("DUT, shot 3"));
+    QVERIFY(table->cellWidget(2, 2)); // each has its trace
     auto *preview = dialog->findChild<ImportPreviewTable *>("importPreview");
     QCOMPARE(preview->horizontalHeaderItem(0)->text(), QString("time [s] (time)"));
     QCOMPARE(preview->horizontalHeaderItem(2)->text(), QString("b [V] (shot 2)"));
@@ -435,6 +435,22 @@ void TestImportDialog::dialog_ofTheExample_listsItsChannels()
     QVERIFY2(importButton(dialog)->isEnabled(), qPrintable(verdict(dialog)));
     QVERIFY(dialog->findChild<ImportChannelTable *>("importChannels")->rowCount() >= 2);
     QVERIFY(!dialog->findChild<QWidget *>("importPreview")->isVisible());
+    // What must be answered is in view: the roles, and the step in volts, not in counts.
+    for (int row = 1; row <= 2; ++row) {
+        const auto *role = dialog->findChild<QComboBox *>(QString("importRole%1").arg(row));
+        QVERIFY(role && role->visibleRegion().boundingRect().width() == role->width());
+        QVERIFY(role->width() >= role->sizeHint().width());
+    }
+    const auto *channels = dialog->findChild<ImportChannelTable *>("importChannels");
+    QStringList looks;
+    for (int row = 0; row < channels->rowCount(); ++row)
+        for (int column = 0; column < channels->columnCount(); ++column)
+            if (const auto *item = channels->item(row, column);
+                item && item->text().contains("times the noise"))
+                looks << item->text();
+    QVERIFY2(looks.join('|').contains(" mV") || looks.join('|').contains(" V"),
+        qPrintable(looks.join('|')));
+    QVERIFY2(!looks.join('|').contains("kV"), qPrintable(looks.join('|')));
 }
 
 DYNCAL_TEST(TestImportDialog)

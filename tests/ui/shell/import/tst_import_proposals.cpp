@@ -17,8 +17,8 @@ using namespace dyncal::test;
 
 namespace {
 
-constexpr int kTraceColumn = 1;
-constexpr int kLooksColumn = 2;
+constexpr int kTraceColumn = 2;
+constexpr int kLooksColumn = 3;
 
 } // namespace
 

@@ -54,7 +54,7 @@ private slots:
         const auto rows = historyRows(answer(), 0);
         QCOMPARE(rows.size(), std::size_t(3));
         QCOMPARE(rows[0],
-            (QVariantList{"2024-07-02", 3, "5.000 µV/Pa", "0.10 µV/Pa", "2", "–", "–", ""}));
+            (QVariantList{"2024-07-02", 3, "5.00 µV/Pa", "0.10 µV/Pa", "2", "–", "–", ""}));
         QCOMPARE(rows[1][0], QVariant("2025-07-02"));
         QVERIFY(!rows[1][1].isValid());
         QCOMPARE(rows[1][5], QVariant("1.4"));

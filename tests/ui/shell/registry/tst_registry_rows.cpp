@@ -3,6 +3,7 @@
 
 #include "tests/support/hostile_text.h"
 #include "tests/support/test_program.h"
+#include "tests/ui/support/in_swedish.h"
 #include "ui/shell/registry/registry_caller.h"
 #include "ui/shell/registry/registry_rows.h"
 #include "ui/shell/registry/rows_view.h"
@@ -90,6 +91,25 @@ private slots:
         QCOMPARE(rows[0][2].toString(), QString("■ changed"));
         QCOMPARE(rows[1][8].toString(), QString("a. b."));
         QVERIFY(rows[1][3].isNull());
+    }
+
+    void trail_isInTheLanguageOfTheWindow()
+    {
+        const QByteArray entries = R"([
+            {"sequence": 1, "action": "reserved", "object": "certificate 7"},
+            {"sequence": 2, "action": "added", "object": "customer Acme & Co"},
+            {"sequence": 3, "action": "of later versions", "object": "reference A 1"}])";
+        const auto rows = trailRows(listOf(entries));
+        QCOMPARE(rows[0][4].toString(), QString("certificate 7"));
+        QCOMPARE(rows[2][3].toString(), QString("of later versions"));
+        QCOMPARE(rows[2][4].toString(), QString("reference instrument A 1"));
+        const test::InSwedish swedish;
+        const auto inSwedish = trailRows(listOf(entries));
+        QCOMPARE(inSwedish[0][4].toString(), QString("bevis 7"));
+        QCOMPARE(inSwedish[1][3].toString(), QString("tillagt"));
+        QCOMPARE(inSwedish[1][4].toString(), QString("kund Acme & Co"));
+        for (int row : {0, 1})
+            QVERIFY(inSwedish[row][3] != rows[row][3]);
     }
 
     void whatIsNoList_hasNoRows()

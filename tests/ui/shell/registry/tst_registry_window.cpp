@@ -104,7 +104,7 @@ void TestRegistryWindow::certificate_isIssuedAmendedAndWithdrawn()
     const QString entry = bench.find<QPlainTextEdit>("trailEntry")->toPlainText();
     QVERIFY2(entry.contains("\"state\": \"withdrawn\""), qPrintable(entry));
     const int all = bench.rows("trailTable");
-    bench.find<QLineEdit>("trailTableText")->setText("AMENDED");
+    bench.find<QLineEdit>("trailTableText")->setText("AMENDMENT");
     QVERIFY(bench.rows("trailTable") > 0 && bench.rows("trailTable") < all);
 
     // Verified from the window as by the command.

@@ -223,13 +223,13 @@ void TestComparisonPage::page_saysWhatResultsSay()
     const auto &f = section.at("frequency_hz");
     const auto *table = m_bench->control<ValueTable>("comparisonTable");
     QCOMPARE(table->rowCount(), static_cast<int>(f.size()) + 1);
-    QCOMPARE(cell(0, 6), shownNumber(section.at("e_n_mean").get<double>(), 2));
+    QCOMPARE(cell(0, 6), shownFigures(section.at("e_n_mean").get<double>(), 2));
     const Json step = writtenResults().at("response");
     for (std::size_t i = 0; i < f.size(); ++i) {
         const int row = static_cast<int>(i) + 1;
         QCOMPARE(cell(row, 0), shownQuantity(f[i].get<double>(), "Hz", 4));
         if (!section.at("e_n_step")[i].is_null())
-            QCOMPARE(cell(row, 6), shownNumber(section.at("e_n_step")[i].get<double>(), 2));
+            QCOMPARE(cell(row, 6), shownFigures(section.at("e_n_step")[i].get<double>(), 2));
         if (section.at("magnitude")[i].is_null())
             continue;
         const double value = section.at("magnitude")[i].get<double>();

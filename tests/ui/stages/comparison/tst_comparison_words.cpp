@@ -116,7 +116,7 @@ private slots:
         QCOMPARE(table.rows[0][5], QString("+1 %"));
         QCOMPARE(table.rows[1],
             (QStringList{"1 kHz", "2.000 V/Pa", "0.020 V/Pa", "2.020 V/Pa", "0.040 V/Pa",
-                "+0.995 %", "0.4"}));
+                "+0.995 %", "0.40"}));
         QCOMPARE(table.rows[2][3], QString("–"));
         QCOMPARE(table.rows[2].mid(5), (QStringList{"–", "–"}));
     }

@@ -68,13 +68,13 @@ private slots:
     {
         const ReportedValue S{"sensitivity", 5e-6, "V/Pa"};
         const ReportedValue phase{"phase", -20.0, "\xC2\xB0"};
-        QCOMPARE(uText(0.3, directLine("t1_k", 0.3), S), QString("0.3 K"));
+        QCOMPARE(uText(0.3, directLine("t1_k", 0.3), S), QString("0.30 K"));
         QCOMPARE(uText(2e-4, directLine("distance_m[A]", 2e-4), S), QString("200 µm"));
-        QCOMPARE(uText(0.0005, directLine("gamma", 0.0005), S), QString("0.0005"));
-        QCOMPARE(uText(0.004, relativeLine("gain_relative", 0.004, 5e-6), S), QString("0.4 %"));
-        QCOMPARE(uText(1e-8, directLine("noise", 1e-8), S), QString("0.2 %")); // of the value
-        QCOMPARE(uText(0.5, directLine("noise", 0.5), phase), QString("0.5 °"));
-        QCOMPARE(uText(0.01, relativeLine("front_unknown", 0.01, 5e-6), S), QString("1 %"));
+        QCOMPARE(uText(0.0005, directLine("gamma", 0.0005), S), QString("0.00050"));
+        QCOMPARE(uText(0.004, relativeLine("gain_relative", 0.004, 5e-6), S), QString("0.40 %"));
+        QCOMPARE(uText(1e-8, directLine("noise", 1e-8), S), QString("0.20 %")); // of the value
+        QCOMPARE(uText(0.5, directLine("noise", 0.5), phase), QString("0.50 °"));
+        QCOMPARE(uText(0.01, relativeLine("front_unknown", 0.01, 5e-6), S), QString("1.0 %"));
         QCOMPARE(lineName(directLine("arrival_s[Side 1]", 1.0)), QString("Arrival, Side 1"));
         UncertaintyLine ofShot = directLine("level_relative", 1.0);
         ofShot.shot = 2;
@@ -85,7 +85,7 @@ private slots:
     {
         Budget budget = sensitivityBudget();
         QCOMPARE(resultSentence(budget),
-            QString("Sensitivity = 5.000 µV/Pa, U = 0.050 µV/Pa (k = 2), 1 % of it"));
+            QString("Sensitivity = 5.000 µV/Pa, U = 0.050 µV/Pa (k = 2), 1.0 % of it"));
         budget.reported.u.reset();
         budget.reported.missing = {"that of the step is not known", {}};
         QCOMPARE(resultSentence(budget),
@@ -116,12 +116,12 @@ private slots:
         // 2 sqrt(0.16 + 0.27 / n) %
         QCOMPARE(shotsSentence(sensitivityBudget()),
             QString(
-                "U by the number of shots: 1: 1.3 %, 3: 1 %, 6: 0.91 %, 12: 0.85 %, 20: 0.83 %; never below 0.8 %."));
+                "U by the number of shots: 1: 1.3 %, 3: 1.0 %, 6: 0.91 %, 12: 0.85 %, 20: 0.83 %; never below 0.80 %."));
         Budget shared = sensitivityBudget();
         shared.reported.lines.resize(1);
         combineLines(shared.reported);
         QCOMPARE(shotsSentence(shared),
-            QString("More shots do not make it smaller: U is 0.8 %, never below 0.8 %."));
+            QString("More shots do not make it smaller: U is 0.80 %, never below 0.80 %."));
         Budget unknown = sensitivityBudget();
         unknown.reported.u.reset();
         QVERIFY(shotsSentence(unknown).isEmpty());
@@ -149,8 +149,8 @@ private slots:
         QVERIFY(table.rows[0][8].startsWith("≤ "));
         for (const QStringList &row : table.rows)
             QCOMPARE(row.size(), table.headers.size());
-        QCOMPARE(allValues({budget}, {changed}).rows[0][2], QString("1 %"));
-        QVERIFY(allValues({budget}, {changed}).rows[0][3] != "1 %");
+        QCOMPARE(allValues({budget}, {changed}).rows[0][2], QString("1.0 %"));
+        QVERIFY(allValues({budget}, {changed}).rows[0][3] != "1.0 %");
     }
 
     void trials_areForgottenWithTheirLine()
