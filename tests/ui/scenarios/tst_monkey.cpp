@@ -103,7 +103,7 @@ private:
 
 } // namespace
 
-/// Random acts for half a minute in the suite, for ten minutes with three seeds in the long form:
+/// Random acts for a minute in the suite, for ten minutes with three seeds in the long form:
 /// no crash, no warning of Qt, no deadlock, no focus on what is not there, no growth.
 class TestMonkey : public QObject
 {
@@ -125,7 +125,7 @@ void TestMonkey::randomActs_breakNothing_data()
 void TestMonkey::randomActs_breakNothing()
 {
     QFETCH(unsigned, seed);
-    const int rounds = trials::count(3, 60);
+    const int rounds = trials::count(6, 60);
     ScenarioBench bench;
     bench.window->activateWindow();
     QVERIFY(QTest::qWaitForWindowActive(bench.window.get()));

@@ -110,13 +110,14 @@ void ImportChannelTable::setChannels(
             makeRow(row, channels[static_cast<std::size_t>(row)]);
         m_rows = std::move(rows);
     }
-    resizeRowsToContents();
     bool counted = false;
     for (int row = 0; row < rowCount(); ++row) {
         fillRow(row, channels[static_cast<std::size_t>(row)]);
         counted = counted || channels[static_cast<std::size_t>(row)].samples > 0;
     }
     setColumnHidden(Samples, !counted);
+    resizeColumnsToContents(); // before the rows, whose height follows from them
+    resizeRowsToContents();
 }
 
 void ImportChannelTable::put(

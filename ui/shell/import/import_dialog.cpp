@@ -34,7 +34,7 @@ namespace dyncal {
 namespace {
 
 constexpr int kTypingPause_ms = 150; ///< what is typed is not read letter by letter
-constexpr QSize kFirstSize_chars(150, 45);
+constexpr QSize kFirstSize_chars(210, 45);
 constexpr double kMostOfScreen = 0.9;
 
 } // namespace

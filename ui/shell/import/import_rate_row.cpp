@@ -19,7 +19,7 @@ namespace dyncal {
 
 namespace {
 
-constexpr int kRateChars = 32; ///< digits, the unit and the box that says whether it is known
+constexpr int kRateChars = 44; ///< digits, the unit and the box that says whether it is known
 
 } // namespace
 
