@@ -33,6 +33,16 @@ QString probabilityText(double p)
     return p < kSmallestShown ? "< " + shownNumber(kSmallestShown, 1) : shownNumber(p, 2);
 }
 
+/// Never "100 %" where the plot beside it shows what is left.
+QString shareText(double percent)
+{
+    constexpr double kMost = 99.999;
+    constexpr int kDigits = 5;
+    return percent > kMost && percent < 100.0
+        ? QStringLiteral("> ") + shownNumber(kMost, kDigits) + QStringLiteral(" %")
+        : shownNumber(percent, kDigits) + QStringLiteral(" %");
+}
+
 } // namespace
 
 ComponentsPage::ComponentsPage(Session &session)
@@ -168,9 +178,8 @@ void ComponentsPage::showResults()
         {tr("Shot"), tr("RMS"), tr("Lags outside"), tr("White, p"), tr("Top peak")}, rows);
     const bool several = components && components->principal
         && components->principal->explainedCumulative_percent.size() > 0;
-    m_first->setText(several
-            ? shownNumber(components->principal->explainedCumulative_percent[0], 5) + " %"
-            : tr("– (one shot)"));
+    m_first->setText(several ? shareText(components->principal->explainedCumulative_percent[0])
+                             : tr("– (one shot)"));
 }
 
 } // namespace dyncal
