@@ -4392,5 +4392,17 @@
         <source>Monte Carlo of the chain</source>
         <translation>Monte Carlo der Kette</translation>
     </message>
+    <message>
+        <source>Shot %1: the level of the reference transducer %2 moves by +-%3 % of its step over a band that is to be level; its step, and so the sensitivity, is wrong by as much or more. Look for a drift of its zero, an amplifier that lets no constant pressure through, or heat.</source>
+        <translation>Schuss %1: Der Pegel des Referenzaufnehmers %2 bewegt sich um ±%3 % seines Sprungs über einem Bereich, der eben sein soll; sein Sprung und damit die Empfindlichkeit ist um mindestens so viel falsch. Zu suchen ist ein wandernder Nullpunkt, ein Verstärker, der keinen konstanten Druck durchlässt, oder Wärme.</translation>
+    </message>
+    <message>
+        <source>Shot %1: the step of the reference transducer %2 is negative (%3), so that the phase is turned by 180 degrees; set its polarity to -1 if it is inverted.</source>
+        <translation>Schuss %1: Der Sprung des Referenzaufnehmers %2 ist negativ (%3), sodass die Phase um 180 Grad gedreht ist; seine Polarität ist auf -1 zu setzen, wenn er invertiert ist.</translation>
+    </message>
+    <message>
+        <source>Shot %1: %2 samples in a row of the reference transducer %3 are equal and the extreme of the window; its record may be saturated there.</source>
+        <translation>Schuss %1: %2 Abtastwerte des Referenzaufnehmers %3 in Folge sind gleich und das Extrem des Fensters; seine Aufzeichnung kann dort gesättigt sein.</translation>
+    </message>
 </context>
 </TS>

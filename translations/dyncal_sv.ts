@@ -5187,7 +5187,7 @@ steget</translation>
     </message>
     <message>
         <source>Shot %1: %2 samples in a row at %3 are equal and the extreme of the window; the record may be saturated there.</source>
-        <translation>Skott %1: %2 sampel i rad vid %3 är lika och fönstrets extremvärde; registreringen kan vara mättad där.</translation>
+        <translation>Skott %1: %2 samplingar i rad vid %3 är lika och fönstrets extremvärde; registreringen kan vara mättad där.</translation>
     </message>
     <message>
         <source>Shot %1: the step is negative (%2); set import.polarity to -1 if the sensor is inverted.</source>
@@ -10484,6 +10484,18 @@ steget</translation>
     <message>
         <source>There is no registry %1; name its file or server.</source>
         <translation>Det finns inget register %1; ange dess fil eller server.</translation>
+    </message>
+    <message>
+        <source>Shot %1: the level of the reference transducer %2 moves by +-%3 % of its step over a band that is to be level; its step, and so the sensitivity, is wrong by as much or more. Look for a drift of its zero, an amplifier that lets no constant pressure through, or heat.</source>
+        <translation>Skott %1: referensgivaren %2:s nivå rör sig ±%3 % av sitt steg över ett band som ska vara plant; dess steg, och därmed känsligheten, är fel med minst så mycket. Leta efter en nollpunkt som driver, en förstärkare som inte släpper igenom konstant tryck, eller värme.</translation>
+    </message>
+    <message>
+        <source>Shot %1: the step of the reference transducer %2 is negative (%3), so that the phase is turned by 180 degrees; set its polarity to -1 if it is inverted.</source>
+        <translation>Skott %1: referensgivaren %2:s steg är negativt (%3), så att fasen är vriden 180 grader; sätt dess polaritet till -1 om den är inverterad.</translation>
+    </message>
+    <message>
+        <source>Shot %1: %2 samples in a row of the reference transducer %3 are equal and the extreme of the window; its record may be saturated there.</source>
+        <translation>Skott %1: %2 samplingar i rad från referensgivaren %3 är lika och fönstrets extremvärde; dess registrering kan vara mättad där.</translation>
     </message>
 </context>
 <context>

@@ -4,6 +4,7 @@
 #include "core/pipeline/comparison_stage.h"
 
 #include "core/pipeline/model_stages.h"
+#include "core/reference/reference_checks.h"
 
 #include <utility>
 
@@ -44,8 +45,10 @@ Result<ComparisonResult> comparisonStage(const CalibrationResults &results, cons
     result.certificate = reference->certificate;
     result.due = reference->due;
     result.againstStep = compareWithStep(*byTransducer, *byStep, reference->correlationWithStep);
+    result.findings = judgeReferenceRecords(*reference, recipe.checks);
     if (result.againstStep)
-        result.findings = judgeAgainstStep(*result.againstStep);
+        for (Finding &finding : judgeAgainstStep(*result.againstStep))
+            result.findings.push_back(std::move(finding));
     result.byTransducer = std::move(*byTransducer);
     result.byStep = std::move(*byStep);
     return result;

@@ -308,7 +308,7 @@ constexpr std::array<Stage, kStageCount> kStages{{
         readNothing, kept<&R::assessment, assessment>(), saidElsewhere},
     {Uncertainty, DYNCAL_TEXT("core", "uncertainty"), 6, 20, "UNC-", Response, Uncertainty, true,
         readUncertainty, kept<&R::uncertainty, uncertainty>(), of<&R::uncertainty>},
-    {Comparison, DYNCAL_TEXT("core", "comparison"), 1, 5, "CMP-", Uncertainty, Comparison, true,
+    {Comparison, DYNCAL_TEXT("core", "comparison"), 2, 5, "CMP-", Uncertainty, Comparison, true,
         readNothing, kept<&R::comparison, comparison>(), of<&R::comparison>},
     {Evidence, DYNCAL_TEXT("core", "evidence"), 1, 160, "", Decomposition, Decomposition, false,
         readEvidence, kept<&R::evidence, evidence>(), ofEvidence},

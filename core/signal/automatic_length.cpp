@@ -119,6 +119,8 @@ public:
     /// Samples until the level leaves its plateau, times kUsedShare.
     std::optional<Index> lengthOfPlateau(const Departure &rule) const
     {
+        if (m_levels.size() <= kFirstBlocks)
+            return std::nullopt;
         const double least = kLeastPlateau
             * (m_levels.array() - m_baseline).abs().maxCoeff<Eigen::PropagateNumbers>();
         for (Index b = std::max(kFirstBlocks, 4 * m_shared); b < m_levels.size(); ++b) {

@@ -16,6 +16,7 @@ namespace {
 
 constexpr double kSettleDrift_per_ms = 0.01; ///< of the step
 constexpr double kBaselineDrift_per_ms = 0.005;
+constexpr double kHalfDrift = 0.005; ///< of the step, from the middle of the baseline to its end
 constexpr double kSlopeSigmas = 3.0; ///< a slope below so many u may be noise
 constexpr double kLeastSnr_dB = 20.0;
 constexpr double kMilli = 1e-3;
@@ -40,27 +41,21 @@ std::string shotText(const WindowedResponse &response)
     return std::to_string(response.shot);
 }
 
-/// Standard uncertainty of a fitted slope per second, for white noise over `band`.
-double slopeUncertainty_per_s(const WindowedResponse &response, const Interval &band)
-{
-    const double n = std::max(band.length() * response.sampleRate_Hz, 2.0);
-    return response.noiseSd * std::sqrt(12.0 / (n * n * n)) * response.sampleRate_Hz;
-}
-
 std::optional<Finding> driftFinding(const char *id, const char *text,
-    const WindowedResponse &response, double slope_per_s, const Interval &band, double limit_per_ms)
+    const WindowedResponse &response, double slope_per_s, const Interval &band, double limit_per_ms,
+    double limitOfHalf = HUGE_VAL)
 {
     const double drift_per_ms = std::abs(slope_per_s * kMilli / response.step);
-    if (drift_per_ms <= limit_per_ms
+    const double half = 0.5 * std::abs(slope_per_s * band.length() / response.step);
+    if ((drift_per_ms <= limit_per_ms && half <= limitOfHalf)
         || std::abs(slope_per_s) <= kSlopeSigmas * slopeUncertainty_per_s(response, band))
         return std::nullopt;
-    const double half_percent = 50.0 * std::abs(slope_per_s * band.length() / response.step);
     return Finding{.id = id,
         .severity = Severity::Caution,
         .shot = response.shot,
         .channel = response.channel,
         .message = {text,
-            {shotText(response), numberText(100.0 * drift_per_ms, 2), numberText(half_percent, 2)}},
+            {shotText(response), numberText(100.0 * drift_per_ms, 2), numberText(100.0 * half, 2)}},
         .value = 100.0 * drift_per_ms,
         .limit = 100.0 * limit_per_ms};
 }
@@ -260,17 +255,22 @@ std::optional<SaturatedRun> runAtExtreme(const Eigen::Ref<const Eigen::VectorXd>
     return result;
 }
 
-Findings windowFindings(const Channel &channel, const WindowedResponse &response,
-    const WindowSettings &settings, const WindowContext &context, std::optional<double> plateau_s)
+double slopeUncertainty_per_s(const WindowedResponse &response, const Interval &band)
+{
+    const double n = std::max(band.length() * response.sampleRate_Hz, 2.0);
+    return response.noiseSd * std::sqrt(12.0 / (n * n * n)) * response.sampleRate_Hz;
+}
+
+Findings windowFindings(const WindowedResponse &response, const WindowSettings &settings,
+    const WindowContext &context, std::optional<double> plateau_s)
 {
     Findings findings;
     const double code = response.resolution;
-    if (!channel.adcMin && !channel.adcMax) {
-        const double scale = std::abs(response.valueScale);
-        if (const auto run = runAtExtreme(response.window(), response.noiseSd / scale, code / scale,
-                context.checks.saturationRun))
-            findings.push_back(saturationFinding(response, *run, context.checks.saturationRun));
-    }
+    // Also where the converter's rails are known: an amplifier may be cut before them.
+    const double scale = std::abs(response.valueScale);
+    if (const auto run = runAtExtreme(response.window(), response.noiseSd / scale, code / scale,
+            context.checks.saturationRun))
+        findings.push_back(saturationFinding(response, *run, context.checks.saturationRun));
     if (isStepTreatment(context.treatment))
         addStepFindings(response, findings);
     if (code > 0.0 && std::abs(response.step) < context.checks.leastCodes * code)
@@ -290,7 +290,7 @@ Findings windowFindings(const Channel &channel, const WindowedResponse &response
     const char *text = DYNCAL_TEXT(
         "core", "Shot %1: the baseline drifts %2 % of the step per ms, +-%3 % over the band.");
     if (auto drift = driftFinding("WIN-004", text, response, response.baselineSlope_per_s,
-            response.baseline_s, kBaselineDrift_per_ms))
+            response.baseline_s, kBaselineDrift_per_ms, kHalfDrift))
         findings.push_back(std::move(*drift));
     if (response.snr_dB < kLeastSnr_dB)
         findings.push_back({.id = "WIN-006",

@@ -37,8 +37,11 @@ std::optional<SaturatedRun> runAtRail(const Channel &channel, const SampleRange 
 std::optional<SaturatedRun> runAtExtreme(const Eigen::Ref<const Eigen::VectorXd> &values,
     double noiseSd, double codeSize, Index leastRun = CheckSettings().saturationRun);
 
+/// Standard uncertainty of a line's slope per second, for white noise over `band`.
+double slopeUncertainty_per_s(const WindowedResponse &response, const Interval &band);
+
 /// CAP-007 (caution), CAP-012, CAP-014, WIN-001, WIN-003, WIN-004, WIN-006 of one response.
-Findings windowFindings(const Channel &channel, const WindowedResponse &response,
-    const WindowSettings &settings, const WindowContext &context, std::optional<double> plateau_s);
+Findings windowFindings(const WindowedResponse &response, const WindowSettings &settings,
+    const WindowContext &context, std::optional<double> plateau_s);
 
 } // namespace dyncal

@@ -108,8 +108,7 @@ public:
         measureCharacteristics();
         if (still)
             result.findings.push_back(standstillBehind(*m_channel, m_response.shot, *still));
-        const Findings findings
-            = windowFindings(*m_channel, m_response, m_settings, m_context, plateau_s());
+        const Findings findings = windowFindings(m_response, m_settings, m_context, plateau_s());
         result.findings.insert(result.findings.end(), findings.begin(), findings.end());
         result.responses.push_back(std::move(m_response));
         return std::nullopt;

@@ -133,7 +133,7 @@ private slots:
             4);
         const Answer said = runDyncal({"dcc", "check", path("first/dcc.xml")});
         QCOMPARE(said.exitCode, 2); // no country was typed
-        QVERIFY2(said.out.contains("laboratory_country"), said.out);
+        QVERIFY2(said.out.contains("countries of laboratory and customer"), said.out);
         const QJsonDocument json = QJsonDocument::fromJson(
             runDyncal({"dcc", "check", path("first/dcc.xml"), "--json"}).out);
         QCOMPARE(json["schema"].toString(), QString("dyncal-dcc-check/1"));

@@ -135,6 +135,8 @@ private slots:
             QVERIFY(std::abs(static_cast<double>(length) / (0.9 * end) - 1.0) < 0.02);
         }
         QCOMPARE(lengthOf(response({})), kSamples);
+        for (const Index few : {1, 7, 8, 40, 200})
+            QCOMPARE(lengthOf(response({}).head(few)), few);
     }
 
     /// A plateau of 0.2 to 2 % of the record.

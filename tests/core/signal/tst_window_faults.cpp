@@ -26,12 +26,14 @@ private slots:
     void invalidSamples_blockInsideOnly();
     void margins_stopAtInvalidSamples();
     void saturation_knownRails_blockInsideOnly();
+    void saturation_beforeTheConverter_isACaution();
     void saturation_unknownRails_isACaution_data();
     void saturation_unknownRails_isACaution();
     void runAtExtreme_smoothPeaks_areNotSaturated();
     void findings_negativeStep();
     void findings_fewCodes();
     void findings_driftingLevels();
+    void findings_driftOverALongBaseline();
     void findings_lowSnr_namesTheAttainableFit();
     void findings_windowBehindPlateau();
     void findings_windowBehindPlateau_ofOneShot();
@@ -125,6 +127,17 @@ void TestWindowFaults::saturation_knownRails_blockInsideOnly()
         cut(countsChannel(record.values(), 10e6, 5.0, 14), settings), "CAP-007", "saturated");
 }
 
+/// The converter has room, the amplifier before it has none.
+void TestWindowFaults::saturation_beforeTheConverter_isACaution()
+{
+    const Eigen::VectorXd values = stepRecord().values();
+    QVERIFY(!findingOf(cut(countsChannel(values, 10e6, 10.0, 14)), "CAP-007"));
+    const auto result = cut(countsChannel(values.cwiseMin(4.0), 10e6, 10.0, 14));
+    QVERIFY(result.has_value());
+    QVERIFY(findingOf(result, "CAP-007"));
+    QCOMPARE(findingOf(result, "CAP-007")->severity, Severity::Caution);
+}
+
 void TestWindowFaults::saturation_unknownRails_isACaution_data()
 {
     QTest::addColumn<double>("f0_Hz");
@@ -212,6 +225,22 @@ void TestWindowFaults::findings_driftingLevels()
     QVERIFY(!findingOf(drifting(0.002, 0.0), "WIN-004"));
     const auto baseline = drifting(0.02, 0.0);
     QVERIFY(findingOf(baseline, "WIN-004") && !findingOf(baseline, "WIN-003"));
+}
+
+/// Slow, but the baseline is long: 0.1 % per ms over 20 ms.
+void TestWindowFaults::findings_driftOverALongBaseline()
+{
+    constexpr double kRate_Hz = 2e5;
+    const StepRecord record = stepRecord();
+    const auto drifting = [&](double per_ms) {
+        Eigen::VectorXd values = record.values();
+        for (Index i = 0; i < 4000; ++i)
+            values[i] += record.step * per_ms * 1e3 * static_cast<double>(i - 4000) / kRate_Hz;
+        return cut(doubleChannel(values, kRate_Hz));
+    };
+    QVERIFY(!findingOf(drifting(0.0), "WIN-004"));
+    QVERIFY(!findingOf(drifting(0.0001), "WIN-004"));
+    QVERIFY(findingOf(drifting(0.001), "WIN-004"));
 }
 
 void TestWindowFaults::findings_lowSnr_namesTheAttainableFit()

@@ -10,7 +10,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <utility>
 
 namespace dyncal {
 
@@ -253,7 +252,12 @@ void PlotScene::setTheme(const PlotTheme &theme)
         axis->grid()->setPen(QPen(theme.grid, 1));
         axis->grid()->setSubGridPen(QPen(theme.fineGrid, 1));
     }
-    setLeastMargins();
+    if (m_breaksText) { // large letters need more room around the corner of the axes
+        const QFontMetrics metrics(theme.font);
+        m_plot.axisRect()->setMinimumMargins(
+            kLeastMargins | QMargins(0, metrics.height() / 2, 2 * metrics.averageCharWidth(), 0));
+        m_plot.xAxis->setTickLabelPadding(std::max(kTickPadding, metrics.height() / 3));
+    }
     QFont bold = theme.font;
     bold.setBold(true);
     m_title->setFont(bold);
@@ -261,25 +265,6 @@ void PlotScene::setTheme(const PlotTheme &theme)
     m_curves.style(theme);
     m_decorations.style(theme);
     m_legend.style(theme);
-}
-
-bool PlotScene::setLeastLeftMargin(int left_px)
-{
-    const bool isOther = std::exchange(m_leastLeft_px, left_px) != left_px;
-    if (isOther)
-        setLeastMargins();
-    return isOther;
-}
-
-void PlotScene::setLeastMargins()
-{
-    if (!m_breaksText)
-        return;
-    // Large letters need more room around the corner of the axes.
-    const QFontMetrics metrics(m_theme.font);
-    m_plot.axisRect()->setMinimumMargins(kLeastMargins
-        | QMargins(m_leastLeft_px, metrics.height() / 2, 2 * metrics.averageCharWidth(), 0));
-    m_plot.xAxis->setTickLabelPadding(std::max(kTickPadding, metrics.height() / 3));
 }
 
 void PlotScene::fitX()

@@ -40,7 +40,6 @@ public:
     /// Titles and labels of axes go on in further lines where they are too long; else labels are
     /// shortened, as on paper.
     void setBreaksText(bool breaks) { m_breaksText = breaks; }
-    bool setLeastLeftMargin(int left_px); ///< margin of the axes; whether that is another one
 
     void fitX();
     void fitY();
@@ -83,9 +82,7 @@ private:
     SceneLegend m_legend;
     SceneDecorations m_decorations;
     QCPTextElement *m_title = nullptr;
-    void setLeastMargins();
     bool m_breaksText = false;
-    int m_leastLeft_px = 0;
 };
 
 } // namespace dyncal

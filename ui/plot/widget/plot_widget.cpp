@@ -245,17 +245,6 @@ void PlotWidget::setLegendVisible(bool visible)
     d->canvas.replot();
 }
 
-int PlotWidget::leftMargin() const
-{
-    return d->plot.axisRect()->margins().left();
-}
-
-void PlotWidget::setLeastLeftMargin(int left_px)
-{
-    if (d->canvas.scene().setLeastLeftMargin(left_px))
-        d->canvas.replot();
-}
-
 QString PlotWidget::cursorReadout() const
 {
     return d->canvas.cursors().readout(d->canvas.scene().content());

@@ -86,11 +86,6 @@ public:
     /// on an entry hides or shows its curve, Ctrl+click shows it alone.
     void setLegendVisible(bool visible);
 
-    /// Room to the left of the axes, for their numbers and title; it may be given more than it
-    /// needs.
-    int leftMargin() const;
-    void setLeastLeftMargin(int left_px);
-
     /// Readings of the cursors as shown ("A: 1.2 µs; 0.98 V"), empty without cursors.
     QString cursorReadout() const;
 

@@ -270,13 +270,8 @@ bool StagePage::isDrawing() const
 
 void StagePage::shareCursors(CursorAxis axis, const std::vector<PlotWidget *> &plots)
 {
-    AlignedPlots *&column = m_columns[axis];
-    if (!column)
-        column = new AlignedPlots(this);
-    for (PlotWidget *plot : plots) {
+    for (PlotWidget *plot : plots)
         PlotTools::share(plot, &m_session.cursors(axis));
-        column->add(plot);
-    }
 }
 
 void StagePage::change(

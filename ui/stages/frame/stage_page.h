@@ -6,7 +6,6 @@
 #include "ui/plot/widget/plot_widget.h"
 #include "ui/session/page_standing.h"
 #include "ui/session/session.h"
-#include "ui/stages/frame/aligned_plots.h"
 #include "ui/stages/frame/inspector_form.h"
 #include "ui/stages/frame/plot_filling.h"
 #include "ui/stages/frame/plot_tools.h"
@@ -15,7 +14,6 @@
 #include <QWidget>
 
 #include <functional>
-#include <map>
 #include <optional>
 #include <vector>
 
@@ -117,7 +115,6 @@ private:
     };
     PlotFilling &fillingOf(const PlotWidget *plot);
     std::vector<ShownPlot> m_shownPlots;
-    std::map<CursorAxis, AlignedPlots *> m_columns; ///< the plots of an axis
     PlotTools *m_plotTools;
 };
 
