@@ -143,7 +143,8 @@ private slots:
         QCOMPARE(finding.where,
             std::string("administrativeData/calibrationLaboratory/contact/location/countryCode"));
         QCOMPARE(finding.found, std::string("ZZ"));
-        QVERIFY(english(finding.needed).find("laboratory_country") != std::string::npos);
+        QVERIFY(english(finding.needed).find("countries of laboratory and customer")
+            != std::string::npos);
     }
 
     void conditionsOfAllResults_countForEach()
