@@ -46,9 +46,10 @@ Result<ComparisonResult> comparisonStage(const CalibrationResults &results, cons
     result.due = reference->due;
     result.againstStep = compareWithStep(*byTransducer, *byStep, reference->correlationWithStep);
     result.findings = judgeReferenceRecords(*reference, recipe.checks);
-    if (result.againstStep)
-        for (Finding &finding : judgeAgainstStep(*result.againstStep))
-            result.findings.push_back(std::move(finding));
+    if (result.againstStep) {
+        const Findings against = judgeAgainstStep(*result.againstStep);
+        result.findings.insert(result.findings.end(), against.begin(), against.end());
+    }
     result.byTransducer = std::move(*byTransducer);
     result.byStep = std::move(*byStep);
     return result;

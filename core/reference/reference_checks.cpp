@@ -15,18 +15,11 @@ namespace {
 constexpr double kLargestDrift = 0.0025; ///< of the step, over half a band
 constexpr double kDriftSigmas = 4.0; ///< two bands of every shot are looked at
 
-struct Drift
+/// Of the step over half of a band; 0 where it is small or may be noise.
+double driftOver(const WindowedResponse &response, double slope_per_s, const Interval &band)
 {
-    double half = 0.0; ///< of the step, over half of the band
-    bool isReal = false;
-};
-
-Drift driftOver(const WindowedResponse &response, double slope_per_s, const Interval &band)
-{
-    const double half_s = 0.5 * band.length();
-    const double half = std::abs(slope_per_s * half_s / response.step);
-    const double u = slopeUncertainty_per_s(response, band) * half_s / std::abs(response.step);
-    return {half, half > kLargestDrift && half > kDriftSigmas * u};
+    const HalfDrift half = halfDrift(response, slope_per_s, band);
+    return half.share > std::max(kLargestDrift, kDriftSigmas * half.u) ? half.share : 0.0;
 }
 
 Finding ofReference(
@@ -43,10 +36,9 @@ Finding ofReference(
 
 void addDrift(const WindowedResponse &response, Findings &findings)
 {
-    const Drift before = driftOver(response, response.baselineSlope_per_s, response.baseline_s);
-    const Drift behind = driftOver(response, response.settleSlope_per_s, response.settle_s);
     const double half
-        = std::max(before.isReal ? before.half : 0.0, behind.isReal ? behind.half : 0.0);
+        = std::max(driftOver(response, response.baselineSlope_per_s, response.baseline_s),
+            driftOver(response, response.settleSlope_per_s, response.settle_s));
     if (half > 0.0)
         findings.push_back(ofReference("CMP-002", response,
             {DYNCAL_TEXT("core",
@@ -68,9 +60,7 @@ void addSign(const WindowedResponse &response, Findings &findings)
 
 void addFlatTop(const WindowedResponse &response, const CheckSettings &checks, Findings &findings)
 {
-    const double scale = std::abs(response.valueScale);
-    const auto run = runAtExtreme(response.window(), response.noiseSd / scale,
-        response.resolution / scale, checks.saturationRun);
+    const auto run = runAtExtreme(response, checks.saturationRun);
     if (run)
         findings.push_back(ofReference("CMP-004", response,
             {DYNCAL_TEXT("core",

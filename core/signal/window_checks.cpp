@@ -46,16 +46,17 @@ std::optional<Finding> driftFinding(const char *id, const char *text,
     double limitOfHalf = HUGE_VAL)
 {
     const double drift_per_ms = std::abs(slope_per_s * kMilli / response.step);
-    const double half = 0.5 * std::abs(slope_per_s * band.length() / response.step);
-    if ((drift_per_ms <= limit_per_ms && half <= limitOfHalf)
-        || std::abs(slope_per_s) <= kSlopeSigmas * slopeUncertainty_per_s(response, band))
+    const HalfDrift half = halfDrift(response, slope_per_s, band);
+    if ((drift_per_ms <= limit_per_ms && half.share <= limitOfHalf)
+        || half.share <= kSlopeSigmas * half.u)
         return std::nullopt;
     return Finding{.id = id,
         .severity = Severity::Caution,
         .shot = response.shot,
         .channel = response.channel,
         .message = {text,
-            {shotText(response), numberText(100.0 * drift_per_ms, 2), numberText(100.0 * half, 2)}},
+            {shotText(response), numberText(100.0 * drift_per_ms, 2),
+                numberText(100.0 * half.share, 2)}},
         .value = 100.0 * drift_per_ms,
         .limit = 100.0 * limit_per_ms};
 }
@@ -255,10 +256,20 @@ std::optional<SaturatedRun> runAtExtreme(const Eigen::Ref<const Eigen::VectorXd>
     return result;
 }
 
-double slopeUncertainty_per_s(const WindowedResponse &response, const Interval &band)
+std::optional<SaturatedRun> runAtExtreme(const WindowedResponse &response, Index leastRun)
+{
+    const double scale = std::abs(response.valueScale);
+    return runAtExtreme(
+        response.window(), response.noiseSd / scale, response.resolution / scale, leastRun);
+}
+
+HalfDrift halfDrift(const WindowedResponse &response, double slope_per_s, const Interval &band)
 {
     const double n = std::max(band.length() * response.sampleRate_Hz, 2.0);
-    return response.noiseSd * std::sqrt(12.0 / (n * n * n)) * response.sampleRate_Hz;
+    const double u_per_s
+        = response.noiseSd * std::sqrt(12.0 / (n * n * n)) * response.sampleRate_Hz;
+    const double half = 0.5 * band.length() / std::abs(response.step);
+    return {std::abs(slope_per_s) * half, u_per_s * half};
 }
 
 Findings windowFindings(const WindowedResponse &response, const WindowSettings &settings,
@@ -267,9 +278,7 @@ Findings windowFindings(const WindowedResponse &response, const WindowSettings &
     Findings findings;
     const double code = response.resolution;
     // Also where the converter's rails are known: an amplifier may be cut before them.
-    const double scale = std::abs(response.valueScale);
-    if (const auto run = runAtExtreme(response.window(), response.noiseSd / scale, code / scale,
-            context.checks.saturationRun))
+    if (const auto run = runAtExtreme(response, context.checks.saturationRun))
         findings.push_back(saturationFinding(response, *run, context.checks.saturationRun));
     if (isStepTreatment(context.treatment))
         addStepFindings(response, findings);

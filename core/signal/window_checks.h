@@ -37,8 +37,16 @@ std::optional<SaturatedRun> runAtRail(const Channel &channel, const SampleRange 
 std::optional<SaturatedRun> runAtExtreme(const Eigen::Ref<const Eigen::VectorXd> &values,
     double noiseSd, double codeSize, Index leastRun = CheckSettings().saturationRun);
 
-/// Standard uncertainty of a line's slope per second, for white noise over `band`.
-double slopeUncertainty_per_s(const WindowedResponse &response, const Interval &band);
+/// The same of a response's window, with the response's own noise and resolution.
+std::optional<SaturatedRun> runAtExtreme(const WindowedResponse &response, Index leastRun);
+
+/// What a line through a band makes of half of it, in shares of the step; u for white noise.
+struct HalfDrift
+{
+    double share = 0.0; ///< 0 or more
+    double u = 0.0;
+};
+HalfDrift halfDrift(const WindowedResponse &response, double slope_per_s, const Interval &band);
 
 /// CAP-007 (caution), CAP-012, CAP-014, WIN-001, WIN-003, WIN-004, WIN-006 of one response.
 Findings windowFindings(const WindowedResponse &response, const WindowSettings &settings,

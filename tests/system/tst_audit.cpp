@@ -13,12 +13,6 @@
 using dyncal::testing::python;
 using dyncal::testing::PythonAnswer;
 
-namespace {
-
-const QStringList kBrief{"--duration-s", "0.006"};
-
-} // namespace
-
 /// tests/audit/recompute.py goes back from results.json to the raw samples without Dyncal's code.
 class TestAudit : public QObject
 {
@@ -61,9 +55,10 @@ private:
     /// beside it, and a free decay.
     bool makeCases()
     {
+        const QStringList brief{"--duration-s", "0.006"};
         return QFile::exists(path("both.h5"))
-            || (simulate("optic3", "0.01", 3, path("dut.h5"), kBrief).exitCode == 0
-                && simulate("optic1", "0.002", 3, path("reference.h5"), kBrief).exitCode == 0
+            || (simulate("optic3", "0.01", 3, path("dut.h5"), brief).exitCode == 0
+                && simulate("optic1", "0.002", 3, path("reference.h5"), brief).exitCode == 0
                 && scriptOf("cases.py", {path("dut.h5"), path("reference.h5"), m_folder.path()})
                        .ran);
     }

@@ -5,6 +5,7 @@
 
 #include "core/base/version.h"
 #include "ui/shell/shortcut_sheet.h"
+#include "ui/stages/frame/within_screen.h"
 
 #include <QCoreApplication>
 #include <QDialog>
@@ -13,7 +14,6 @@
 #include <QLabel>
 #include <QMainWindow>
 #include <QMessageBox>
-#include <QScreen>
 #include <QScrollArea>
 #include <QScrollBar>
 #include <QVBoxLayout>
@@ -36,8 +36,6 @@ QString tableOf(const std::vector<std::pair<QString, QString>> &rows)
             + "</td></tr>";
     return table + "</table>";
 }
-
-constexpr double kMostOfScreen = 0.9;
 
 QSize scrollBars(const QScrollArea &area)
 {
@@ -73,8 +71,7 @@ void showShortcuts(QMainWindow &window)
     layout->addWidget(buttons);
     // As large as its tables, which in large letters are larger than the screen.
     const QSize beside = dialog.sizeHint() - area->sizeHint() + scrollBars(*area);
-    dialog.resize((sheet->sizeHint() + beside)
-                      .boundedTo(kMostOfScreen * window.screen()->availableGeometry().size()));
+    dialog.resize(withinScreen(window, sheet->sizeHint() + beside));
     dialog.exec();
 }
 

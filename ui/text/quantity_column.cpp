@@ -6,6 +6,7 @@
 #include "core/base/foreign_text.h"
 #include "core/base/number_text.h"
 #include "core/base/rounding.h"
+#include "ui/text/first_place.h"
 
 #include <QLocale>
 
@@ -44,12 +45,6 @@ QString withUnit(const std::string &number, const std::string &unit)
 {
     const QString text = QString::fromStdString(number).replace('.', QLocale().decimalPoint());
     return unit.empty() ? text : text + QLatin1Char(' ') + QString::fromStdString(unit);
-}
-
-/// Place of the first digit: 2 of 345.
-int firstPlace(double magnitude)
-{
-    return static_cast<int>(std::floor(std::log10(magnitude) + 1e-12));
 }
 
 /// Decimals for all numbers of a column, from the largest and the smallest that is not zero.

@@ -6,6 +6,7 @@
 #include "core/base/foreign_text.h"
 #include "core/base/number_text.h"
 #include "core/base/rounding.h"
+#include "ui/text/first_place.h"
 
 #include <QLocale>
 #include <QRegularExpression>
@@ -86,10 +87,9 @@ QString shownFigures(double value, int digits)
     if (!(magnitude >= kLeast && magnitude < kMost))
         return shownNumber(value, digits);
     // Rounding may make it ten times as large: 0.996 to two digits.
-    const double place = std::floor(std::log10(magnitude)) - (digits - 1);
-    const double rounded = std::round(magnitude / std::pow(10.0, place)) * std::pow(10.0, place);
-    const int leading = static_cast<int>(std::floor(std::log10(rounded) + 1e-12));
-    return inLanguage(fixedText(value, std::max(digits - 1 - leading, 0)));
+    const double unit = std::pow(10.0, firstPlace(magnitude) - (digits - 1));
+    const double rounded = std::round(magnitude / unit) * unit;
+    return inLanguage(fixedText(value, std::max(digits - 1 - firstPlace(rounded), 0)));
 }
 
 QString shownQuantity(const std::optional<double> &value, const QString &unit, int digits)

@@ -12,6 +12,7 @@
 #include "ui/shell/import/import_text_box.h"
 #include "ui/shell/import/import_verdict.h"
 #include "ui/shell/import/named_control.h"
+#include "ui/stages/frame/within_screen.h"
 #include "ui/text/core_text.h"
 #include "ui/text/shown_text.h"
 
@@ -25,7 +26,6 @@
 #include <QLineEdit>
 #include <QPushButton>
 #include <QRadioButton>
-#include <QScreen>
 
 #include <algorithm>
 
@@ -35,7 +35,6 @@ namespace {
 
 constexpr int kTypingPause_ms = 150; ///< what is typed is not read letter by letter
 constexpr QSize kFirstSize_chars(210, 45);
-constexpr double kMostOfScreen = 0.9;
 
 } // namespace
 
@@ -82,9 +81,9 @@ ImportDialog::ImportDialog(const QString &path, const ImportSettings &settings, 
     m_later.setInterval(kTypingPause_ms);
     connect(&m_later, &QTimer::timeout, this, &ImportDialog::lookNow);
     const QSize letters(fontMetrics().averageCharWidth(), fontMetrics().height());
-    resize(QSize(
-        kFirstSize_chars.width() * letters.width(), kFirstSize_chars.height() * letters.height())
-               .boundedTo(kMostOfScreen * screen()->availableGeometry().size()));
+    resize(withinScreen(*this,
+        {kFirstSize_chars.width() * letters.width(),
+            kFirstSize_chars.height() * letters.height()}));
     showSettings();
     lookNow();
 }
