@@ -4404,5 +4404,25 @@
         <source>Shot %1: %2 samples in a row of the reference transducer %3 are equal and the extreme of the window; its record may be saturated there.</source>
         <translation>Schuss %1: %2 Abtastwerte des Referenzaufnehmers %3 in Folge sind gleich und das Extrem des Fensters; seine Aufzeichnung kann dort gesättigt sein.</translation>
     </message>
+    <message>
+        <source>Shot %1: before its start the record is not quiet: %2 before it, it moves by %3 % of the step (standard deviation), elsewhere by %4 %. What moves it is likely in the response, too, and may be taken for the sensor&apos;s own: a wave in the wall of the tube, a disturbance, or a record that begins behind its step.</source>
+        <translation>Schuss %1: Vor seinem Beginn ist die Aufzeichnung nicht in Ruhe: %2 davor bewegt sie sich um %3 % des Sprungs (Standardabweichung), sonst um %4 %. Was sie bewegt, ist wahrscheinlich auch in der Antwort und kann für Eigenes des Aufnehmers gehalten werden: eine Welle in der Rohrwand, eine Störung oder eine Aufzeichnung, die nach ihrem Sprung beginnt.</translation>
+    </message>
+    <message>
+        <source>Shot %1, channel %2: each value stands %3 times in a row, so the record was measured at %4 and written at %5; S(f), band edges and rise time have the repetition in them. Export it at the rate at which it was measured.</source>
+        <translation>Schuss %1, Kanal %2: Jeder Wert steht %3-mal hintereinander, die Aufzeichnung wurde also mit %4 gemessen und mit %5 geschrieben; S(f), Bandgrenzen und Anstiegszeit enthalten die Wiederholung. Exportieren Sie sie mit der Rate, mit der sie gemessen wurde.</translation>
+    </message>
+    <message>
+        <source>Shot %1, channel %2: between every %3 samples the others lie on straight lines, so the record was measured at %4 and written at %5; S(f), band edges and rise time have the interpolation in them. Export it at the rate at which it was measured.</source>
+        <translation>Schuss %1, Kanal %2: Zwischen je %3 Abtastwerten liegen die übrigen auf Geraden, die Aufzeichnung wurde also mit %4 gemessen und mit %5 geschrieben; S(f), Bandgrenzen und Anstiegszeit enthalten die Interpolation. Exportieren Sie sie mit der Rate, mit der sie gemessen wurde.</translation>
+    </message>
+    <message>
+        <source>The phase against the reference transducer differs from that of the sensor&apos;s own model as by a delay of %1 (U = %2, k = 2): the step seems to reach the transducer %3 after the sensor, and comparison.delay_s states %4. Check its sign and value, and the phases of the transducer.</source>
+        <translation>Die Phase gegen den Referenzaufnehmer weicht von der des eigenen Modells des Aufnehmers ab wie durch eine Verzögerung von %1 (U = %2, k = 2): Der Sprung scheint den Referenzaufnehmer %3 nach dem Aufnehmer zu erreichen, und comparison.delay_s nennt %4. Prüfen Sie Vorzeichen und Wert sowie die Phasen des Referenzaufnehmers.</translation>
+    </message>
+    <message>
+        <source>Channel &apos;%1&apos;: the file states no unit, so its numbers are read as %2, as the name ends. Give the channel&apos;s unit if they are something else.</source>
+        <translation>Kanal &apos;%1&apos;: Die Datei nennt keine Einheit, daher werden die Zahlen als %2 gelesen, wie der Name endet. Geben Sie die Einheit des Kanals an, wenn es etwas anderes ist.</translation>
+    </message>
 </context>
 </TS>

@@ -10497,6 +10497,26 @@ steget</translation>
         <source>Shot %1: %2 samples in a row of the reference transducer %3 are equal and the extreme of the window; its record may be saturated there.</source>
         <translation>Skott %1: %2 samplingar i rad från referensgivaren %3 är lika och fönstrets extremvärde; dess registrering kan vara mättad där.</translation>
     </message>
+    <message>
+        <source>Channel &apos;%1&apos;: the file states no unit, so its numbers are read as %2, as the name ends. Give the channel&apos;s unit if they are something else.</source>
+        <translation>Kanal &apos;%1&apos;: filen anger ingen enhet, så talen läses som %2, som namnet slutar. Ange kanalens enhet om de är något annat.</translation>
+    </message>
+    <message>
+        <source>Shot %1: before its start the record is not quiet: %2 before it, it moves by %3 % of the step (standard deviation), elsewhere by %4 %. What moves it is likely in the response, too, and may be taken for the sensor&apos;s own: a wave in the wall of the tube, a disturbance, or a record that begins behind its step.</source>
+        <translation>Skott %1: registreringen är inte stilla före sin start: %2 före den rör den sig med %3 % av steget (standardavvikelse), på andra ställen med %4 %. Det som rör den finns troligen också i svaret och kan tas för givarens eget: en våg i rörets vägg, en störning, eller en registrering som börjar efter sitt steg.</translation>
+    </message>
+    <message>
+        <source>Shot %1, channel %2: each value stands %3 times in a row, so the record was measured at %4 and written at %5; S(f), band edges and rise time have the repetition in them. Export it at the rate at which it was measured.</source>
+        <translation>Skott %1, kanal %2: varje värde står %3 gånger i rad, så registreringen mättes med %4 och skrevs med %5; S(f), bandgränser och stigtid innehåller upprepningen. Exportera den med den samplingsfrekvens som den mättes med.</translation>
+    </message>
+    <message>
+        <source>Shot %1, channel %2: between every %3 samples the others lie on straight lines, so the record was measured at %4 and written at %5; S(f), band edges and rise time have the interpolation in them. Export it at the rate at which it was measured.</source>
+        <translation>Skott %1, kanal %2: mellan var %3:e sampel ligger de övriga på räta linjer, så registreringen mättes med %4 och skrevs med %5; S(f), bandgränser och stigtid innehåller interpolationen. Exportera den med den samplingsfrekvens som den mättes med.</translation>
+    </message>
+    <message>
+        <source>The phase against the reference transducer differs from that of the sensor&apos;s own model as by a delay of %1 (U = %2, k = 2): the step seems to reach the transducer %3 after the sensor, and comparison.delay_s states %4. Check its sign and value, and the phases of the transducer.</source>
+        <translation>Fasen mot referensgivaren skiljer sig från den som givarens egen modell har, som av en fördröjning på %1 (U = %2, k = 2): steget tycks nå referensgivaren %3 efter givaren, och comparison.delay_s anger %4. Kontrollera dess tecken och värde, och referensgivarens faser.</translation>
+    </message>
 </context>
 <context>
     <name>dyncal::ArrivalPanel</name>

@@ -112,6 +112,24 @@ PressureReference referenceFromName(const std::string &name)
     return name == "gauge" ? PressureReference::Gauge : PressureReference::Absolute;
 }
 
+/// A file that states no unit may have it in the channel's name; a scale of the recipe is taken for
+/// the conversion.
+void takeUnitOfName(Channel &channel, double scale, Findings &findings)
+{
+    const std::optional<std::string> unit = unitInName(channel.name);
+    if (!channel.unit.empty() || !unit || scale != 1.0)
+        return;
+    channel.unit = *unit;
+    addOnce(findings,
+        {.id = "CAP-033",
+            .severity = Severity::Info,
+            .channel = channel.name,
+            .message
+            = {DYNCAL_TEXT("core",
+                   "Channel '%1': the file states no unit, so its numbers are read as %2, as the name ends. Give the channel's unit if they are something else."),
+                {channel.name, *unit}}});
+}
+
 void convertToSi(Channel &channel)
 {
     const auto si = siUnitOf(channel.unit);
@@ -231,7 +249,9 @@ Result<void> shapeChannel(Channel &channel, Index shot, const ImportSettings &se
         reportReplacedUnit(channel, details, findings);
         channel.unit = *details.unit;
     }
-    channel.userScale *= details.scale.value_or(1.0) / details.gain.value_or(1.0);
+    const double scale = details.scale.value_or(1.0);
+    takeUnitOfName(channel, scale, findings);
+    channel.userScale *= scale / details.gain.value_or(1.0);
     channel.polarity *= details.polarity.value_or(1);
     if (!details.reference.empty())
         channel.reference = referenceFromName(details.reference);

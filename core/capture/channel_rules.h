@@ -23,9 +23,10 @@ Result<void> setSampleRate(Channel &channel, Index shot, const ImportSettings &s
     const CheckSettings &checks, Findings &findings);
 
 /// Brings the channel's values into its SI unit with what the recipe says of the channel and, if it
-/// is the DUT, of the DUT; fills short gaps of the DUT (CAP-022). Says where that contradicts the
-/// unit in the file (CAP-030) or the sensor's card (CAP-032), once for all shots alike. Fails
-/// (Usage) on a sensitivity of what is a pressure already, or of a unit that is not known.
+/// is the DUT, of the DUT; without a unit, with the one that its name ends with (CAP-033); fills
+/// short gaps of the DUT (CAP-022). Says where that contradicts the unit in the file (CAP-030) or
+/// the sensor's card (CAP-032), once for all shots alike. Fails (Usage) on a sensitivity of what is
+/// a pressure already, or of a unit that is not known.
 Result<void> shapeChannel(Channel &channel, Index shot, const ImportSettings &settings,
     const Attributes &card, Findings &findings);
 

@@ -32,4 +32,14 @@ std::optional<SiUnit> siUnitOf(std::string_view unit)
     return std::nullopt;
 }
 
+std::optional<std::string> unitInName(std::string_view name)
+{
+    const std::size_t mark = name.find_last_of("_ ");
+    if (mark == std::string_view::npos || mark == 0)
+        return std::nullopt;
+    const std::string_view word = name.substr(mark + 1);
+    const bool isNumeral = word == "V" && name[mark] == ' ';
+    return siUnitOf(word) && !isNumeral ? std::optional(std::string(word)) : std::nullopt;
+}
+
 } // namespace dyncal

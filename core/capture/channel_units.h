@@ -21,4 +21,8 @@ struct SiUnit
 /// every other unit, which then is left as it is. psi: 6894.757 Pa (NIST SP 811).
 std::optional<SiUnit> siUnitOf(std::string_view unit);
 
+/// The unit that a channel's name ends with, where it is one of these: "DUT_mV", "p5 in kPa",
+/// "Side kPa". A "V" alone behind a blank may be a numeral, and is none.
+std::optional<std::string> unitInName(std::string_view name);
+
 } // namespace dyncal

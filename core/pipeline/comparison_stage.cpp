@@ -5,6 +5,7 @@
 
 #include "core/pipeline/model_stages.h"
 #include "core/reference/reference_checks.h"
+#include "core/uncertainty/delay_difference.h"
 
 #include <utility>
 
@@ -49,6 +50,10 @@ Result<ComparisonResult> comparisonStage(const CalibrationResults &results, cons
     if (result.againstStep) {
         const Findings against = judgeAgainstStep(*result.againstStep);
         result.findings.insert(result.findings.end(), against.begin(), against.end());
+    }
+    if (const auto delay = delayDifference(*byTransducer)) {
+        const Findings late = judgeDelay(*delay, reference->delay_s);
+        result.findings.insert(result.findings.end(), late.begin(), late.end());
     }
     result.byTransducer = std::move(*byTransducer);
     result.byStep = std::move(*byStep);

@@ -278,13 +278,13 @@ using enum StageId;
 
 // Evidence serves every order: model and response do not count for it.
 constexpr std::array<Stage, kStageCount> kStages{{
-    {Captures, DYNCAL_TEXT("core", "captures"), 5, 40, "CAP-", Captures, Captures, true,
+    {Captures, DYNCAL_TEXT("core", "captures"), 6, 40, "CAP-", Captures, Captures, true,
         readCaptures, kept<&R::captures, captures>(), of<&R::captures>},
     {Arrivals, DYNCAL_TEXT("core", "arrivals"), 1, 110, "", Captures, Captures, false, readArrivals,
         kept<&R::starts, arrivals>(), saidElsewhere},
     {Expected, DYNCAL_TEXT("core", "expected shock"), 1, 30, "", Arrivals, Shock, false,
         readExpected, kept<&R::expected, expected>(), saidElsewhere},
-    {Window, DYNCAL_TEXT("core", "window"), 5, 50, "WIN-", Expected, Window, true, readWindow,
+    {Window, DYNCAL_TEXT("core", "window"), 6, 50, "WIN-", Expected, Window, true, readWindow,
         kept<&R::window, window>(), of<&R::window>},
     {Spectrum, DYNCAL_TEXT("core", "spectrum"), 1, 110, "SPC-", Window, Spectrum, true,
         readSpectrum, kept<&R::spectrum, spectrum>(), of<&R::spectrum>},
@@ -308,7 +308,7 @@ constexpr std::array<Stage, kStageCount> kStages{{
         readNothing, kept<&R::assessment, assessment>(), saidElsewhere},
     {Uncertainty, DYNCAL_TEXT("core", "uncertainty"), 6, 20, "UNC-", Response, Uncertainty, true,
         readUncertainty, kept<&R::uncertainty, uncertainty>(), of<&R::uncertainty>},
-    {Comparison, DYNCAL_TEXT("core", "comparison"), 2, 5, "CMP-", Uncertainty, Comparison, true,
+    {Comparison, DYNCAL_TEXT("core", "comparison"), 3, 5, "CMP-", Uncertainty, Comparison, true,
         readNothing, kept<&R::comparison, comparison>(), of<&R::comparison>},
     {Evidence, DYNCAL_TEXT("core", "evidence"), 1, 160, "", Decomposition, Decomposition, false,
         readEvidence, kept<&R::evidence, evidence>(), ofEvidence},

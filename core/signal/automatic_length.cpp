@@ -24,6 +24,8 @@ constexpr double kDepartureShare = 0.03; ///< of the step, for the size of ringi
 constexpr double kLeastPlateau = 0.1; ///< of the largest excursion: below, the response only begins
 constexpr Index kZoom = 10; ///< from one look at the record's beginning to the next, closer one
 constexpr double kDepartureSigmas = 6.0;
+constexpr Index kGapPart = 4; ///< of the time so far, in which a level may leave by and by
+constexpr double kParabola = 1.5; ///< times what goes on like a parabola is no departure
 constexpr double kDecayed = 1.5; ///< rms of a block over the noise
 // Ringing in the blocks: a peak of the power spectrum of their differences, in which the end of a
 // plateau is flat and drift is small.
@@ -57,24 +59,69 @@ Eigen::VectorXd blockValues(
     return values;
 }
 
-/// Whether the blocks from `first` on leave the level of the latter part of those before, for as
-/// long as the plateau has lasted so far or to the end. Half a period of slow ringing does not last
-/// that long. Ringing, or a slow rise or droop that goes on, does not leave the range of the blocks
-/// before. The last `shared` of these hold samples of block `first`, and say nothing.
-bool departs(const Eigen::VectorXd &levels, Index first, Index shared, double baseline,
-    double noise, const Departure &rule)
+/// What the blocks before a departure are like.
+struct Plateau
+{
+    double level = 0.0;
+    double range = 0.0;
+    double slope = 0.0; ///< from one third to the next
+    double curvature = 0.0; ///< change of that slope
+
+    /// By how much a parabola through the thirds moves in so many of them from the middle one.
+    double movesIn(double thirds) const
+    {
+        return std::abs(slope) * thirds + 0.5 * std::abs(curvature) * thirds * thirds;
+    }
+};
+
+std::optional<Plateau> plateauOf(const Eigen::VectorXd &blocks)
+{
+    const Eigen::VectorXd values = finiteOnly(blocks);
+    const Index third = values.size() / 3;
+    if (values.size() == 0)
+        return std::nullopt;
+    Plateau plateau{median(values), values.maxCoeff() - values.minCoeff()};
+    if (third > 0) {
+        const double first = median(values.head(third)), last = median(values.tail(third));
+        plateau.slope = 0.5 * (last - first);
+        plateau.curvature = first + last - 2.0 * median(values.segment(third, third));
+    }
+    return plateau;
+}
+
+/// A level, and by how much others may differ from it.
+struct Surroundings
+{
+    double baseline = 0.0;
+    double noise = 0.0;
+    Index shared = 0; ///< blocks that hold samples of the next one
+};
+
+/// Where the blocks from `first` on leave the level of the latter part of those before, for as long
+/// as the plateau has lasted so far or to the end. Half a period of slow ringing does not last that
+/// long. Ringing, or a slow rise or droop that goes on, does not leave the range of the blocks
+/// before, nor what a parabola through them would. The last `gap` blocks before are not looked at:
+/// a level that leaves by and by has left in them, and where it began to is the answer.
+std::optional<Index> departure(const Eigen::VectorXd &levels, Index first, Index gap,
+    const Surroundings &around, const Departure &rule)
 {
     const Index count = std::min(std::max(kLasting, first), levels.size() - first);
     const Index from = first / rule.part;
-    const Eigen::VectorXd before
-        = finiteOnly(levels.segment(from, std::max(first - from - shared, Index(0))));
-    if (count < kLeastLasting || before.size() == 0)
-        return false;
-    const double plateau = median(before);
-    const double distance = std::max(
-        {rule.share * std::abs(plateau - baseline), noise, before.maxCoeff() - before.minCoeff()});
-    const auto difference = (levels.segment(first, count).array() - plateau).eval();
-    return (difference > distance).all() || (difference < -distance).all();
+    const Index size = std::max(first - from - around.shared - gap, Index(0));
+    const auto before = plateauOf(levels.segment(from, size));
+    if (count < kLeastLasting || !before || (gap > 0 && size < 2 * around.shared))
+        return std::nullopt;
+    const double within = std::max(around.noise, before->range);
+    const double thirds = 3.0 * static_cast<double>(first - from) / static_cast<double>(size) - 1.5;
+    const double distance = std::max({rule.share * std::abs(before->level - around.baseline),
+        within, kParabola * before->movesIn(thirds)});
+    const auto difference = (levels.segment(first, count).array() - before->level).eval();
+    if (!(difference > distance).all() && !(difference < -distance).all())
+        return std::nullopt;
+    Index end = first;
+    while (end > first - gap && std::abs(levels[end - 1] - before->level) > within)
+        --end;
+    return end;
 }
 
 /// Mean of `count` blocks from each one on: ringing of that period is not seen in it.
@@ -124,9 +171,11 @@ public:
         const double least = kLeastPlateau
             * (m_levels.array() - m_baseline).abs().maxCoeff<Eigen::PropagateNumbers>();
         for (Index b = std::max(kFirstBlocks, 4 * m_shared); b < m_levels.size(); ++b) {
-            if (departs(m_levels, b, m_shared, m_baseline, m_noise, rule)
-                && !(std::abs(m_levels[b - 1] - m_baseline) < least))
-                return static_cast<Index>(kUsedShare * static_cast<double>(b * m_block));
+            for (const Index gap : {b / kGapPart, Index(0)}) {
+                const auto end = departure(m_levels, b, gap, {m_baseline, m_noise, m_shared}, rule);
+                if (end && !(std::abs(m_levels[*end - 1] - m_baseline) < least))
+                    return static_cast<Index>(kUsedShare * static_cast<double>(*end * m_block));
+            }
         }
         return std::nullopt;
     }

@@ -9,7 +9,6 @@
 namespace dyncal {
 namespace {
 
-constexpr double kNormalSdPerMad = 1.482602218505602; ///< 1 / Phi^-1(3/4)
 constexpr Index kRestPieces = 20;
 constexpr double kRestShare = 0.1; ///< of the event's height
 constexpr double kRestSigmas = 6.0;

@@ -10,6 +10,8 @@
 
 namespace dyncal {
 
+inline constexpr double kNormalSdPerMad = 1.482602218505602; ///< 1 / Phi^-1(3/4)
+
 /// Straight line through a stretch of samples by least squares: value at sample i of the stretch is
 /// mean + slope (i - (size - 1)/2).
 struct LineFit

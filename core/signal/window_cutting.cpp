@@ -5,6 +5,7 @@
 
 #include "core/base/number_text.h"
 #include "core/signal/level_statistics.h"
+#include "core/signal/record_findings.h"
 #include "core/signal/rounding.h"
 #include "core/signal/standstill.h"
 #include "core/signal/start_detection.h"
@@ -108,8 +109,10 @@ public:
         measureCharacteristics();
         if (still)
             result.findings.push_back(standstillBehind(*m_channel, m_response.shot, *still));
-        const Findings findings = windowFindings(m_response, m_settings, m_context, plateau_s());
-        result.findings.insert(result.findings.end(), findings.begin(), findings.end());
+        for (const Findings &findings :
+            {windowFindings(m_response, m_settings, m_context, plateau_s()),
+                recordFindings(m_response, *m_channel)})
+            result.findings.insert(result.findings.end(), findings.begin(), findings.end());
         result.responses.push_back(std::move(m_response));
         return std::nullopt;
     }

@@ -17,8 +17,8 @@ namespace dyncal {
 /// CAP-009 (no step), WIN-002 (baseline over the step or too short), and on a window that leaves
 /// the record; all errors carry the shot. A shot whose baseline is not at rest is reported
 /// (CAP-020, block) and not used; fails if no shot is left. Findings: CAP-007 (caution, rails
-/// unknown), CAP-012, CAP-014, CAP-020, WIN-001, WIN-003, WIN-004, WIN-006. Drifts are percent of
-/// the step per ms.
+/// unknown), CAP-012, CAP-014, CAP-020, CAP-034, WIN-001, WIN-003, WIN-004, WIN-006, WIN-010.
+/// Drifts are percent of the step per ms.
 Result<WindowResult> cutWindows(const CaptureSet &set, const WindowSettings &settings,
     const WindowContext &context, const JobControl &control = {});
 

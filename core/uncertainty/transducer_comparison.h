@@ -42,7 +42,7 @@ struct ComparisonResult
     std::string certificate;
     std::string due;
     std::optional<StepAgainstTransducer> againstStep; ///< where the step is known with its u
-    Findings findings; ///< CMP-001; of the transducer's records CMP-002 to 004
+    Findings findings; ///< CMP-001; of the transducer's records CMP-002 to 004; CMP-005
 };
 
 /// Both of the same DUT's records at the same frequencies. The chain and the noise of the DUT are

@@ -88,6 +88,60 @@ class TestChannelRules : public QObject
     Q_OBJECT
 
 private slots:
+    void unitInTheName_isReadWhereNoneIsStated_data()
+    {
+        QTest::addColumn<QString>("name");
+        QTest::addColumn<QString>("unit");
+        QTest::addColumn<double>("factor");
+        QTest::newRow("millivolt") << "DUT_mV"
+                                   << "V" << 1e-3;
+        QTest::newRow("volt") << "ai0_V"
+                              << "V" << 1.0;
+        QTest::newRow("in words") << "p5 in kPa"
+                                  << "Pa" << 1e3;
+        QTest::newRow("bar") << "Side bar"
+                             << "Pa" << 1e5;
+        QTest::newRow("a numeral") << "Channel V"
+                                   << "" << 1.0;
+        QTest::newRow("other letters") << "DUT_mv2"
+                                       << "" << 1.0;
+        QTest::newRow("nothing but a unit") << "_mV"
+                                            << "" << 1.0;
+        QTest::newRow("a unit alone") << "mV"
+                                      << "" << 1.0;
+    }
+    void unitInTheName_isReadWhereNoneIsStated()
+    {
+        QFETCH(QString, name);
+        QFETCH(QString, unit);
+        QFETCH(double, factor);
+        Channel channel = channelOf("");
+        channel.name = name.toStdString();
+        Shaped found = shaped(channel, {});
+        QCOMPARE(found.channel.name, name.toStdString());
+        QCOMPARE(found.channel.unit, unit.toStdString());
+        QVERIFY(isNear(found.first(), 0.5 * factor));
+        QCOMPARE(hasFinding(found.findings, "CAP-033"), !unit.isEmpty());
+    }
+
+    /// What the file or the recipe states counts, and a scale is a conversion already.
+    void unitInTheName_isNotReadElsewhere()
+    {
+        Channel channel = channelOf("");
+        channel.name = "DUT_mV";
+        ImportSettings settings;
+        settings.scale = 1e-3;
+        Shaped found = shaped(channel, settings);
+        QVERIFY(isNear(found.first(), 0.5e-3) && found.findings.empty());
+        settings = {};
+        settings.unit = "V";
+        found = shaped(channel, settings);
+        QVERIFY(isNear(found.first(), 0.5) && found.findings.empty());
+        channel.unit = "V";
+        found = shaped(channel, {});
+        QVERIFY(isNear(found.first(), 0.5) && found.findings.empty());
+    }
+
     void statedRate_stays()
     {
         const Rated found = rated(1e6, {});

@@ -75,6 +75,20 @@ private slots:
         QCOMPARE(findings[0].id, std::string("CMP-001"));
     }
 
+    /// The onset of both records is known: a delay of the wrong sign is not taken without a word.
+    void wrongDelay_isTold()
+    {
+        for (const double wrong_s : {-2e-6, 5e-8}) {
+            Recipe recipe = compared("transducer");
+            recipe.comparison.delay_s = wrong_s;
+            const Findings findings = run(recipe).results.comparison->findings;
+            QCOMPARE(findings.size(), std::size_t(1));
+            QCOMPARE(findings[0].id, std::string("CMP-005"));
+            recipe.comparison.u_delay_s = std::abs(wrong_s);
+            QVERIFY(run(recipe).results.comparison->findings.empty());
+        }
+    }
+
     /// No shock physics is needed: without it the same values.
     void againstTheTransducer_withoutTheShock()
     {

@@ -139,6 +139,53 @@ private slots:
             QCOMPARE(lengthOf(response({}).head(few)), few);
     }
 
+    /// The level leaves its plateau by and by, down or up, behind ringing or a slow beginning.
+    void gradualEnd_isFound_data()
+    {
+        QTest::addColumn<double>("end");
+        QTest::addColumn<double>("time");
+        QTest::addColumn<double>("change");
+        for (const double end : {8000.0, 15000.0, 25000.0})
+            for (const double time : {0.1, 0.3, 0.5})
+                for (const double change : {-0.1, 0.1, -0.15, -0.6})
+                    QTest::addRow("%g, %g, %g", end, time, change) << end << time * end << change;
+    }
+    void gradualEnd_isFound()
+    {
+        QFETCH(double, end);
+        QFETCH(double, time);
+        QFETCH(double, change);
+        const auto later = [&](double t) {
+            return t < end ? 0.0 : change * (1.0 - std::exp(-(t - end) / time));
+        };
+        const auto slow = [&](double t) { return later(t) - std::exp(-t / (0.05 * end)); };
+        std::vector<Eigen::VectorXd> records{response({}, slow)};
+        for (const std::vector<Mode> &modes :
+            {std::vector<Mode>{}, {{30.0, 0.02, 1.0}}, {{200.0, 0.02, 1.0}}, {{500.0, 0.2, 1.0}}})
+            records.push_back(response(modes, later));
+        for (const Eigen::VectorXd &record : records) {
+            const auto length = static_cast<double>(lengthOf(record));
+            QVERIFY2(length < end, qPrintable(QString::number(length)));
+            QVERIFY2(length > 0.8 * end, qPrintable(QString::number(length)));
+        }
+    }
+
+    /// An amplifier that lets no constant pressure through, and heat: no end of the plateau.
+    void droop_isNoEnd()
+    {
+        for (double time = 0.1 * kSamples; time < 30.0 * kSamples; time *= 1.5) {
+            const auto coupled = [&](double t) { return std::exp(-t / time) - 1.0; };
+            const auto heat = [&](double t) { return -0.2 * std::sqrt(t / kSamples); };
+            const auto ramp = [&](double t) { return -0.3 * t / time; };
+            for (const std::vector<Mode> &modes :
+                {std::vector<Mode>{}, {{30.0, 0.02, 1.0}}, {{500.0, 0.1, 1.0}}}) {
+                QCOMPARE(lengthOf(response(modes, coupled)), kSamples);
+                QCOMPARE(lengthOf(response(modes, heat)), kSamples);
+                QCOMPARE(lengthOf(response(modes, ramp)), kSamples);
+            }
+        }
+    }
+
     /// A plateau of 0.2 to 2 % of the record.
     void plateauOfALongRecord_endsWhereItDid_data()
     {

@@ -4,6 +4,7 @@
 #include "core/capture/formats/preview/text_preview.h"
 
 #include "core/base/text_encoding.h"
+#include "core/capture/channel_units.h"
 #include "core/capture/formats/lvm/lvm.h"
 #include "core/capture/formats/text/column_titles.h"
 #include "core/capture/formats/text/shot_columns.h"
@@ -73,7 +74,8 @@ void addTitles(TextPreview &preview, const std::vector<ColumnTitle> &titles)
 {
     for (const ColumnTitle &title : titles) {
         preview.columnTitles.push_back(title.name);
-        preview.units.push_back(title.unit);
+        preview.units.push_back(
+            title.unit.empty() ? unitInName(title.name).value_or("") : title.unit);
     }
 }
 
