@@ -55,7 +55,8 @@ NoiseDensity::NoiseDensity(const WindowedResponse &response)
     m_model = chooseAutoregressiveModels({covariance}, kLargestNoiseModelOrder).front();
     m_white = std::max(0.0, m_white - covariance.values[0]);
     findOctaves(response.noise);
-    m_ofBaseline = ofMean(m_count, m_count) + response.roundingSd * response.roundingSd;
+    m_ofBaseline = response.baselineVarianceFactor * ofMean(m_count, m_count)
+        + response.roundingSd * response.roundingSd;
 }
 
 void NoiseDensity::findOctaves(const Eigen::VectorXd &noise)

@@ -38,7 +38,8 @@ struct WindowedResponse
     Interval settle_s;
     double end_s = 0.0;
 
-    double baseline = 0.0;
+    double baseline = 0.0; ///< level at the start, before the step (baseline_level.h)
+    double baselineVarianceFactor = 1.0; ///< of that level's variance over that of a mean
     double baselineSlope_per_s = 0.0;
     double settled = 0.0; ///< mean of the settle band (impulse treatment: 0)
     double settleSlope_per_s = 0.0;

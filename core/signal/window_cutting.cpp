@@ -4,6 +4,7 @@
 #include "core/signal/window_cutting.h"
 
 #include "core/base/number_text.h"
+#include "core/signal/baseline_level.h"
 #include "core/signal/level_statistics.h"
 #include "core/signal/record_findings.h"
 #include "core/signal/rounding.h"
@@ -270,11 +271,13 @@ private:
         const Eigen::VectorXd quiet
             = physicalValues(*m_channel, m_bands.baseline.begin, m_bands.baseline.size());
         if (quiet.size() > 0) {
-            const LineFit line = fitLine(quiet);
+            const BaselineLevel found
+                = baselineLevel(quiet, m_bands.window.begin - m_bands.baseline.end + 1);
             m_response.baseline_s = secondsOf(m_bands.baseline);
-            m_response.baseline = line.mean;
-            m_response.baselineSlope_per_s = line.slope * m_response.sampleRate_Hz;
-            m_response.noiseSd = std::max(line.sd, m_response.resolution / std::sqrt(12.0));
+            m_response.baseline = found.level;
+            m_response.baselineVarianceFactor = found.varianceFactor;
+            m_response.baselineSlope_per_s = found.line.slope * m_response.sampleRate_Hz;
+            m_response.noiseSd = std::max(found.line.sd, m_response.resolution / std::sqrt(12.0));
             m_response.noise = withoutLine(quiet);
         }
         m_response.end_s = secondsOf(m_bands.window).end;

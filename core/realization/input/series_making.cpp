@@ -69,7 +69,9 @@ ModelSeries makeSeries(
     series.fullRateNoiseSd = std::max(standardDeviation(source.noise), source.leastNoiseSd);
     series.fullRateNoise = noiseCovariance(source.noise, kLargestNoiseModelOrder);
     series.roundingSd = source.roundingSd;
-    series.u_baseline = std::hypot(uncertaintyOfMean(series.fullRateNoise), series.roundingSd);
+    series.u_baseline = std::hypot(
+        std::sqrt(source.baselineVarianceFactor) * uncertaintyOfMean(series.fullRateNoise),
+        series.roundingSd);
     series.noiseSd = std::hypot(series.noise.size() ? standardDeviation(series.noise)
                                                     : series.fullRateNoiseSd * filter.taps.norm(),
         series.roundingSd);

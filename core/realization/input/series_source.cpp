@@ -71,6 +71,15 @@ Rounding averageRounding(const std::vector<WindowedResponse> &responses)
     return {std::sqrt(squares.sd) / count, std::sqrt(squares.lastingSd) / count};
 }
 
+/// The shots' levels are averaged with the shots.
+double averageOfFactors(const std::vector<WindowedResponse> &responses)
+{
+    double sum = 0.0;
+    for (const WindowedResponse &response : responses)
+        sum += response.baselineVarianceFactor;
+    return sum / static_cast<double>(responses.size());
+}
+
 } // namespace
 
 std::vector<SeriesSource> seriesSources(const std::vector<WindowedResponse> &responses,
@@ -83,12 +92,14 @@ std::vector<SeriesSource> seriesSources(const std::vector<WindowedResponse> &res
         const Rounding rounding = averageRounding(responses);
         list.back().leastNoiseSd = rounding.sd;
         list.back().roundingSd = rounding.lastingSd;
+        list.back().baselineVarianceFactor = averageOfFactors(responses);
         return list;
     }
     for (const WindowedResponse &response : responses) {
         const Rounding rounding = roundingOf(response);
         list.push_back({response.shot, response.values, response.lead, response.length,
-            response.sampleRate_Hz, response.noise, rounding.sd, rounding.lastingSd});
+            response.sampleRate_Hz, response.noise, rounding.sd, rounding.lastingSd,
+            response.baselineVarianceFactor});
     }
     return list;
 }

@@ -26,6 +26,7 @@ struct SeriesSource
     Eigen::VectorXd noise;
     double leastNoiseSd = 0.0; ///< of rounding, at the record's rate
     double roundingSd = 0.0; ///< of it what averaging leaves
+    double baselineVarianceFactor = 1.0; ///< WindowedResponse
 };
 
 /// One per shot, or the average of the reconstructions alone.

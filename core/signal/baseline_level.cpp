@@ -1,0 +1,45 @@
+// SPDX-FileCopyrightText: 2026 The Dyncal authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "core/signal/baseline_level.h"
+
+#include <cmath>
+
+namespace dyncal {
+namespace {
+
+constexpr Index kDriftPieces = 8;
+constexpr Index kLeastDriftPiece = 16; ///< samples
+constexpr double kSteady = 8.0; ///< u of the slope
+
+bool driftsSteadily(const Eigen::Ref<const Eigen::VectorXd> &quiet)
+{
+    const Index piece = quiet.size() / kDriftPieces;
+    if (piece < kLeastDriftPiece)
+        return false;
+    Eigen::VectorXd means(kDriftPieces);
+    for (Index i = 0; i < kDriftPieces; ++i)
+        means[i] = quiet.segment(i * piece, piece).mean();
+    const LineFit line = fitLine(means);
+    constexpr double n = kDriftPieces;
+    const double u_slope = line.sd * std::sqrt(12.0 / (n * (n * n - 1.0)));
+    return std::abs(line.slope) > kSteady * u_slope;
+}
+
+} // namespace
+
+BaselineLevel baselineLevel(const Eigen::Ref<const Eigen::VectorXd> &quiet, Index ahead)
+{
+    BaselineLevel found;
+    found.line = fitLine(quiet);
+    found.level = found.line.mean;
+    if (ahead < 0 || ahead > quiet.size() || !driftsSteadily(quiet))
+        return found;
+    const auto n = static_cast<double>(quiet.size());
+    const double distance = 0.5 * (n - 1.0) + static_cast<double>(ahead);
+    found.level += found.line.slope * distance;
+    found.varianceFactor += 12.0 * distance * distance / (n * n);
+    return found;
+}
+
+} // namespace dyncal
