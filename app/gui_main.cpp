@@ -9,6 +9,7 @@
 #include "app/base/user_name.h"
 #include "app/base/window_memory.h"
 #include "app/cli/console.h"
+#include "core/base/compact_heap.h"
 #include "core/base/version.h"
 #include "core/pipeline/pipeline.h"
 #include "ui/shell/main_window.h"
@@ -98,6 +99,7 @@ int runGui(int argc, char **argv, const std::vector<std::string> &files)
     const QString tourLanguage(argc == 4 ? argv[3] : "en");
     if (tour && !qEnvironmentVariableIsSet("DISPLAY"))
         qputenv("QT_QPA_PLATFORM", "offscreen");
+    keepHeapCompact();
     if (!keepMemoryForWindow())
         return report(noMemoryForWindow());
     // What is exported must be the same bytes as from the command line.

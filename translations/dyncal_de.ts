@@ -4424,5 +4424,33 @@
         <source>Channel &apos;%1&apos;: the file states no unit, so its numbers are read as %2, as the name ends. Give the channel&apos;s unit if they are something else.</source>
         <translation>Kanal &apos;%1&apos;: Die Datei nennt keine Einheit, daher werden die Zahlen als %2 gelesen, wie der Name endet. Geben Sie die Einheit des Kanals an, wenn es etwas anderes ist.</translation>
     </message>
+    <message>
+        <source>The file of %1 ends at %2, and the sensor is flat up to %3: less than a tenth of that is stated. Check that its frequencies are in Hz, or give a file that covers the band.</source>
+        <translation>Die Datei von %1 endet bei %2, und der Aufnehmer ist bis %3 eben: Weniger als ein Zehntel davon ist angegeben. Prüfen Sie, ob ihre Frequenzen in Hz sind, oder geben Sie eine Datei an, die das Band abdeckt.</translation>
+    </message>
+    <message>
+        <source>The file of %1 states a chain that is off by %2 % at %3, where the records show chain and sensor together within 10 % of flat (up to %4): S(f) would be off by what the file says. Check that its frequencies are in Hz and its magnitudes those of this chain.</source>
+        <translation>Die Datei von %1 nennt eine Messkette, die bei %3 um %2 % abweicht, wo die Aufzeichnungen Kette und Aufnehmer zusammen innerhalb von 10 % eben zeigen (bis %4): S(f) wäre um das falsch, was die Datei sagt. Prüfen Sie, ob ihre Frequenzen in Hz und ihre Beträge die dieser Kette sind.</translation>
+    </message>
+    <message>
+        <source>The drift of %1 % behind the step dies out twice as fast as the sensor rings (time constant %2): a sensor or an amplifier whose gain depends on the level makes that of its own ringing, and then the sensitivity, S(f) and overshoot are wrong by up to as much. Compare shots of different levels, or with the static sensitivity.</source>
+        <translation>Die Drift von %1 % nach dem Sprung klingt doppelt so schnell ab wie der Aufnehmer schwingt (Zeitkonstante %2): Ein Aufnehmer oder Verstärker, dessen Verstärkung vom Pegel abhängt, macht das aus seinem eigenen Schwingen, und dann sind Empfindlichkeit, S(f) und Überschwingen um bis zu ebenso viel falsch. Vergleichen Sie Schüsse verschiedener Pegel, oder mit der statischen Empfindlichkeit.</translation>
+    </message>
+    <message>
+        <source>p1 = %1 is typed, and the capture has recorded %2 in this shot: with that the pressure step would be %3 % different. The typed one is used; correct it, or leave it out (shock.p1_pa).</source>
+        <translation>p1 = %1 ist eingetippt, und die Datei hat in diesem Schuss %2 aufgezeichnet: Damit wäre der Drucksprung um %3 % anders. Der eingetippte Wert gilt; berichtigen Sie ihn oder lassen Sie ihn weg (shock.p1_pa).</translation>
+    </message>
+    <message>
+        <source>T1 = %1 is typed, and the capture has recorded %2 in this shot: with that the pressure step would be %3 % different. The typed one is used; correct it, or leave it out (shock.t1_k).</source>
+        <translation>T1 = %1 ist eingetippt, und die Datei hat in diesem Schuss %2 aufgezeichnet: Damit wäre der Drucksprung um %3 % anders. Der eingetippte Wert gilt; berichtigen Sie ihn oder lassen Sie ihn weg (shock.t1_k).</translation>
+    </message>
+    <message>
+        <source>Shot %1: before its start the record lies %2 % of the step away from the baseline that it is counted from; the step and the sensitivity are wrong by as much. Let the baseline be found, or place it just before the start.</source>
+        <translation>Schuss %1: Vor ihrem Beginn liegt die Aufzeichnung %2 % des Sprungs von der Grundlinie entfernt, von der aus sie gezählt wird; Sprung und Empfindlichkeit sind um ebenso viel falsch. Lassen Sie die Grundlinie suchen, oder legen Sie sie kurz vor den Beginn.</translation>
+    </message>
+    <message>
+        <source>Shot %1: at the typed start the record has left its baseline by %2 % of the step already: the response began before. Move the start, or let it be found.</source>
+        <translation>Schuss %1: Am eingetippten Beginn hat die Aufzeichnung ihre Grundlinie schon um %2 % des Sprungs verlassen: Die Antwort begann vorher. Verschieben Sie den Beginn, oder lassen Sie ihn suchen.</translation>
+    </message>
 </context>
 </TS>

@@ -10517,6 +10517,34 @@ steget</translation>
         <source>The phase against the reference transducer differs from that of the sensor&apos;s own model as by a delay of %1 (U = %2, k = 2): the step seems to reach the transducer %3 after the sensor, and comparison.delay_s states %4. Check its sign and value, and the phases of the transducer.</source>
         <translation>Fasen mot referensgivaren skiljer sig från den som givarens egen modell har, som av en fördröjning på %1 (U = %2, k = 2): steget tycks nå referensgivaren %3 efter givaren, och comparison.delay_s anger %4. Kontrollera dess tecken och värde, och referensgivarens faser.</translation>
     </message>
+    <message>
+        <source>The file of %1 ends at %2, and the sensor is flat up to %3: less than a tenth of that is stated. Check that its frequencies are in Hz, or give a file that covers the band.</source>
+        <translation>Filen för %1 slutar vid %2, och givaren är jämn upp till %3: mindre än en tiondel av det anges. Kontrollera att frekvenserna är i Hz, eller ange en fil som täcker bandet.</translation>
+    </message>
+    <message>
+        <source>The file of %1 states a chain that is off by %2 % at %3, where the records show chain and sensor together within 10 % of flat (up to %4): S(f) would be off by what the file says. Check that its frequencies are in Hz and its magnitudes those of this chain.</source>
+        <translation>Filen för %1 anger en mätkedja som är %2 % fel vid %3, där registreringarna visar kedja och givare tillsammans inom 10 % från jämn (upp till %4): S(f) skulle bli fel med det som filen säger. Kontrollera att frekvenserna är i Hz och att beloppen är den här kedjans.</translation>
+    </message>
+    <message>
+        <source>The drift of %1 % behind the step dies out twice as fast as the sensor rings (time constant %2): a sensor or an amplifier whose gain depends on the level makes that of its own ringing, and then the sensitivity, S(f) and overshoot are wrong by up to as much. Compare shots of different levels, or with the static sensitivity.</source>
+        <translation>Driften på %1 % efter steget dör ut dubbelt så snabbt som givaren ringer (tidskonstant %2): en givare eller förstärkare vars förstärkning beror på nivån gör sådant av sin egen ringning, och då är känsligheten, S(f) och översvängen fel med upp till lika mycket. Jämför skott av olika nivåer, eller med den statiska känsligheten.</translation>
+    </message>
+    <message>
+        <source>p1 = %1 is typed, and the capture has recorded %2 in this shot: with that the pressure step would be %3 % different. The typed one is used; correct it, or leave it out (shock.p1_pa).</source>
+        <translation>p1 = %1 är inskrivet, och filen har registrerat %2 i det här skottet: med det skulle trycksteget bli %3 % annorlunda. Det inskrivna används; rätta det, eller utelämna det (shock.p1_pa).</translation>
+    </message>
+    <message>
+        <source>T1 = %1 is typed, and the capture has recorded %2 in this shot: with that the pressure step would be %3 % different. The typed one is used; correct it, or leave it out (shock.t1_k).</source>
+        <translation>T1 = %1 är inskrivet, och filen har registrerat %2 i det här skottet: med det skulle trycksteget bli %3 % annorlunda. Det inskrivna används; rätta det, eller utelämna det (shock.t1_k).</translation>
+    </message>
+    <message>
+        <source>Shot %1: before its start the record lies %2 % of the step away from the baseline that it is counted from; the step and the sensitivity are wrong by as much. Let the baseline be found, or place it just before the start.</source>
+        <translation>Skott %1: före sin start ligger registreringen %2 % av steget från den baslinje som den räknas från; steget och känsligheten är fel med lika mycket. Låt baslinjen sökas, eller lägg den strax före starten.</translation>
+    </message>
+    <message>
+        <source>Shot %1: at the typed start the record has left its baseline by %2 % of the step already: the response began before. Move the start, or let it be found.</source>
+        <translation>Skott %1: vid den inskrivna starten har registreringen redan lämnat sin baslinje med %2 % av steget: svaret började tidigare. Flytta starten, eller låt den sökas.</translation>
+    </message>
 </context>
 <context>
     <name>dyncal::ArrivalPanel</name>

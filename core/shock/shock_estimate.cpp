@@ -277,6 +277,7 @@ void addShockedStates(ShockWork &work, const VelocityEstimate &estimate, const S
     work.conditions.states = *states;
     judgeStates(work);
     judgeGas(work, state);
+    judgeTypedState(work, state);
     if (!work.conditions.stepTyped)
         work.conditions.step_Pa = stepOf(*work.conditions.states, work.atEndWall());
     addUncertainty(work, state, estimate);

@@ -8,6 +8,7 @@
 #include "core/base/number_text.h"
 #include "core/shock/pressure_units.h"
 #include "core/shock/shock_uncertainty.h"
+#include "core/shock/step_inputs.h"
 #include "core/shock/variable_shock.h"
 
 #include <algorithm>
@@ -115,6 +116,76 @@ void judgeGas(ShockWork &work, const SectionState &state)
                 numberWithUnit(found->otherSpeed_m_s, "m/s", 5), numberText(100.0 * change, 3)}},
         .value = change,
         .causes = {found->isHumidity ? FindingCause::Humidity : FindingCause::Gas}});
+}
+
+namespace {
+
+/// SHK-020: a typed number of the driven gas's state beside another one that was recorded.
+struct TypedBesides
+{
+    const char *text;
+    const char *unit;
+    double typed = 0.0;
+    double recorded = kUnknown;
+    double largest = 0.0; ///< difference that is let pass
+    SectionState instead; ///< the state with what was recorded
+    FindingCause cause;
+};
+
+void judgeBesides(ShockWork &work, const TypedBesides &found)
+{
+    const double difference = std::abs(found.typed - found.recorded);
+    if (!(difference > found.largest))
+        return;
+    const ShockStates &states = *work.conditions.states;
+    const auto others = shockStatesOf(*work.conditions.drivenGas, found.instead.pressure_Pa,
+        found.instead.temperature_K, states.velocity_m_s);
+    const double change = others
+        ? stepOf(*others, work.atEndWall()) / stepOf(states, work.atEndWall()) - 1.0
+        : kUnknown;
+    work.findings.push_back({.id = "SHK-020",
+        .severity = Severity::Caution,
+        .shot = work.conditions.shot,
+        .message = {found.text,
+            {numberWithUnit(found.typed, found.unit, 6),
+                numberWithUnit(found.recorded, found.unit, 6), numberText(100.0 * change, 3)}},
+        .value = difference,
+        .limit = found.largest,
+        .causes = {FindingCause::Typed, found.cause}});
+}
+
+/// Of two readings with that u each, or of one with what is assumed where none is stated.
+double largestDifference(double u, double least)
+{
+    constexpr double kContradiction = 3.6; // as between two ways to one quantity
+    return std::max(least, u > 0.0 ? kContradiction * std::sqrt(2.0) * u : 0.0);
+}
+
+} // namespace
+
+void judgeTypedState(ShockWork &work, const SectionState &state)
+{
+    const Environment &around = work.shot.environment;
+    SectionState instead = state;
+    if (work.settings.p1_Pa) {
+        instead.pressure_Pa = around.p1_Pa;
+        judgeBesides(work,
+            {DYNCAL_TEXT("core",
+                 "p1 = %1 is typed, and the capture has recorded %2 in this shot: with that the pressure step would be %3 % different. The typed one is used; correct it, or leave it out (shock.p1_pa)."),
+                "Pa", *work.settings.p1_Pa, around.p1_Pa,
+                largestDifference(around.u_p1_Pa, kAssumedRelative_p1 * state.pressure_Pa), instead,
+                FindingCause::Pressure});
+    }
+    instead = state;
+    if (work.settings.T1_K) {
+        instead.temperature_K = around.T1_K;
+        judgeBesides(work,
+            {DYNCAL_TEXT("core",
+                 "T1 = %1 is typed, and the capture has recorded %2 in this shot: with that the pressure step would be %3 % different. The typed one is used; correct it, or leave it out (shock.t1_k)."),
+                "K", *work.settings.T1_K, around.T1_K,
+                largestDifference(around.u_T1_K, kAssumed_u_T1_K), instead,
+                FindingCause::Temperature});
+    }
 }
 
 void judgeVelocity(ShockWork &work, double relativeFromDistance)

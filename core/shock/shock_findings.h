@@ -15,6 +15,9 @@ void judgeVelocity(ShockWork &work, double relativeFromDistance); ///< SHK-003
 void judgeFit(ShockWork &work, const VelocityEstimate &estimate); ///< SHK-008, SHK-010
 /// SHK-015; the first of `gasWays` made the states.
 void judgeGas(ShockWork &work, const SectionState &state);
+/// SHK-020: a typed p1 or T1 differs from the recorded one by more than 3.6 u of both, and by more
+/// than 0.5 % or 1 K.
+void judgeTypedState(ShockWork &work, const SectionState &state);
 void judgeStates(ShockWork &work); ///< SHK-019: a shock that this tube cannot hold
 /// SHK-019: no pressure of the driver's gas makes such a shock.
 void judgeUnreachable(ShockWork &work, const Error &error);

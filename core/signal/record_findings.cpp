@@ -66,6 +66,45 @@ void addUnrest(const WindowedResponse &response, const Channel &channel, Finding
             response, firstSamples(response, channel), -timeOf_s(response.startSample), findings);
 }
 
+/// What a response is counted from, against what its record shows before the start.
+void addMisplaced(const WindowedResponse &response, Findings &findings)
+{
+    constexpr Index kLast = 3, kQuiet = 1000;
+    constexpr double kGone = 0.1, kOff = 0.005; // of the step
+    constexpr double kSigmas = 6.0;
+    const double perStep = std::abs(response.valueScale / response.step);
+    const double noise = kSigmas * response.noiseSd / std::abs(response.step);
+    const auto meanOf = [&](Index begin, Index count) {
+        return perStep * response.values.segment(response.lead + begin, count).mean();
+    };
+    const auto report = [&](const char *text, double share) {
+        findings.push_back({.id = "WIN-011",
+            .severity = Severity::Caution,
+            .shot = response.shot,
+            .channel = response.channel,
+            .time_s = response.start_s,
+            .message = {text, {std::to_string(response.shot), numberText(100.0 * share, 3)}},
+            .value = 100.0 * share,
+            .causes = {FindingCause::Typed}});
+    };
+    const Index count = std::min(kQuiet, response.lead / 2);
+    if (count < kLast)
+        return;
+    const double gone = std::abs(meanOf(-kLast, kLast));
+    // The samples next to the start are left out: a response may begin softly.
+    const double off = std::abs(meanOf(-count - count / 4 - kLast, count));
+    if (off > std::max(kOff, noise / std::sqrt(static_cast<double>(count))))
+        report(
+            DYNCAL_TEXT("core",
+                "Shot %1: before its start the record lies %2 % of the step away from the baseline that it is counted from; the step and the sensitivity are wrong by as much. Let the baseline be found, or place it just before the start."),
+            off);
+    else if (!response.startDetected && gone > std::max(kGone, noise / std::sqrt(double(kLast))))
+        report(
+            DYNCAL_TEXT("core",
+                "Shot %1: at the typed start the record has left its baseline by %2 % of the step already: the response began before. Move the start, or let it be found."),
+            gone);
+}
+
 void addInterpolation(const WindowedResponse &response, Findings &findings)
 {
     const Index begin = std::max(response.lead - kSamplesLookedAt / 4, Index(0));
@@ -98,6 +137,7 @@ Findings recordFindings(const WindowedResponse &response, const Channel &channel
 {
     Findings findings;
     addUnrest(response, channel, findings);
+    addMisplaced(response, findings);
     addInterpolation(response, findings);
     return findings;
 }

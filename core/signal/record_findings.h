@@ -10,8 +10,9 @@ namespace dyncal {
 
 /// What the samples of a response of `channel` tell of how they were recorded; cautions. WIN-010:
 /// the record is not quiet before its start (unrest.h), by more than 0.3 % of the step, over the
-/// baseline or over the record's first 20000 samples. CAP-034: most of its samples were not
-/// measured (interpolated_samples.h).
+/// baseline or over the record's first 20000 samples. WIN-011: the record before the start is not
+/// at the baseline's level (0.5 % of the step), or has left it by 10 % where the start was typed.
+/// CAP-034: most of its samples were not measured (interpolated_samples.h).
 Findings recordFindings(const WindowedResponse &response, const Channel &channel);
 
 } // namespace dyncal

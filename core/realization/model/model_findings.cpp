@@ -275,6 +275,30 @@ std::string timeConstant(const Pole &pole)
     return numberWithUnit(1.0 / std::abs(pole.s_rad_s), "s", 2);
 }
 
+/// What a gain that depends on the level makes of ringing is a decay of its own, twice as fast as
+/// the ringing's (its square), and looks like heat.
+void judgeRectified(const SensorModel &model, const Pole &drift, Findings &out)
+{
+    constexpr double kLikeTwice = 0.25;
+    constexpr double kLeastShare = 0.001;
+    const double rate = drift.s_rad_s.real();
+    const auto isSquare = [&](const Pole &pole) {
+        return pole.poleClass == PoleClass::Sensor && pole.s_rad_s.imag() != 0.0
+            && std::abs(rate / (2.0 * pole.s_rad_s.real()) - 1.0) < kLikeTwice;
+    };
+    if (std::abs(model.drift) < kLeastShare || std::ranges::none_of(model.poles, isSquare))
+        return;
+    out.push_back({.id = "MOD-018",
+        .severity = Severity::Caution,
+        .message
+        = {DYNCAL_TEXT("core",
+               "The drift of %1 % behind the step dies out twice as fast as the sensor rings (time constant %2): a sensor or an amplifier whose gain depends on the level makes that of its own ringing, and then the sensitivity, S(f) and overshoot are wrong by up to as much. Compare shots of different levels, or with the static sensitivity."),
+            {numberText(100.0 * model.drift, 2), timeConstant(drift)}},
+        .value = model.drift,
+        .limit = kLeastShare,
+        .causes = {FindingCause::Drift}});
+}
+
 /// What is slower than the sensor: told apart from its step, or too fast for that.
 void judgeDrift(const SensorModel &model, Findings &out)
 {
@@ -287,6 +311,7 @@ void judgeDrift(const SensorModel &model, Findings &out)
                 {numberText(100.0 * model.drift, 2), timeConstant(pole)}},
             .value = model.drift,
             .causes = {FindingCause::Drift}});
+        judgeRectified(model, pole, out);
     }
     if (model.doubtfulPole) {
         const Pole &pole = model.poles[static_cast<std::size_t>(*model.doubtfulPole)];

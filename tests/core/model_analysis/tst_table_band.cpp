@@ -100,6 +100,42 @@ private slots:
         QVERIFY(result.findings.empty() && result.fHigh_Hz == 1e6);
         QVERIFY(!model.widestGap(1.0, 1e9));
     }
+
+    /// A sensor flat to 100 kHz, and a table of the chain in another unit than hertz.
+    void tableThatDoesNotFit_isTold_data()
+    {
+        QTest::addColumn<QList<double>>("frequencies");
+        QTest::addColumn<QList<double>>("magnitudes");
+        QTest::addColumn<QString>("said");
+        const QList<double> magnitudes{1.0, 0.999, 0.99, 0.9};
+        QTest::newRow("fits") << QList<double>{1e3, 1e4, 1e5, 3e5} << magnitudes << "";
+        QTest::newRow("in kHz") << QList<double>{1, 10, 1e3, 2e3} << magnitudes << "ends at 2 kHz";
+        QTest::newRow("an amplifier too slow for the record") << QList<double>{1e3, 1e4, 3e4,
+            2e5} << QList<double>{1.0, 0.9, 0.6, 0.1} << "off by -53";
+        QTest::newRow("ends below the band's end")
+            << QList<double>{1e3, 5e3, 1e4, 2e4} << magnitudes << "";
+    }
+    void tableThatDoesNotFit_isTold()
+    {
+        QFETCH(QList<double>, frequencies);
+        QFETCH(QList<double>, magnitudes);
+        QFETCH(QString, said);
+        std::vector<ReferencePoint> rows;
+        for (qsizetype i = 0; i < frequencies.size(); ++i)
+            rows.push_back({frequencies[i], magnitudes[i], 0.001});
+        const auto table = ReferenceSensitivity::fromTable(rows).value();
+        for (const bool isFlatKnown : {true, false}) {
+            ResponseResult result;
+            result.fLow_Hz = 1e3;
+            result.fHigh_Hz = 1e6;
+            if (isFlatKnown)
+                result.characteristics.within10percent_Hz = 1e5;
+            endByTable(table, BandEnd::Chain, result);
+            const QString text = QString::fromStdString(saidOf(result, "RSP-008"));
+            QCOMPARE(text.isEmpty(), said.isEmpty() || !isFlatKnown);
+            QVERIFY2(text.isEmpty() || text.contains(said), qPrintable(text));
+        }
+    }
 };
 
 DYNCAL_TEST(TestTableBand)

@@ -82,6 +82,8 @@ private slots:
     void celsius_offersKelvin();
     void celsiusOfTheDriver_offersKelvin();
     void psiForPascal_offersPascal();
+    void typedBesideRecorded_isTold_data();
+    void typedBesideRecorded_isTold();
     void swappedChannels_offerTheExchange();
     void uncorrectedDut_isWarnedAbout();
     void scatteringArrivals_chiSquare();
@@ -145,6 +147,46 @@ void TestShockFindings::psiForPascal_offersPascal()
         settings.p1_Pa = fine;
         QVERIFY(!findingWithId(estimated(thesisSet(), settings), "SHK-011"));
     }
+}
+
+void TestShockFindings::typedBesideRecorded_isTold_data()
+{
+    QTest::addColumn<double>("p1_Pa");
+    QTest::addColumn<double>("T1_K");
+    QTest::addColumn<double>("u_p1_Pa");
+    QTest::addColumn<bool>("isTold");
+    QTest::addColumn<QString>("effect");
+    QTest::newRow("as recorded") << 101100.0 << 294.15 << 30.0 << false << "";
+    QTest::newRow("a reading beside it") << 101500.0 << 294.9 << 30.0 << false << "";
+    QTest::newRow("of the weather service") << 98000.0 << 294.15 << 30.0 << true << "3.16 %";
+    QTest::newRow("the same, recorded roughly") << 98000.0 << 294.15 << 1000.0 << false << "";
+    QTest::newRow("nothing stated of the recorded one")
+        << 98000.0 << 294.15 << 0.0 << true << "3.16 %";
+    QTest::newRow("of another day") << 101100.0 << 288.15 << 30.0 << true << "%";
+}
+
+void TestShockFindings::typedBesideRecorded_isTold()
+{
+    QFETCH(double, p1_Pa);
+    QFETCH(double, T1_K);
+    QFETCH(double, u_p1_Pa);
+    QFETCH(bool, isTold);
+    QFETCH(QString, effect);
+    CaptureSet set = thesisSet();
+    set.shots[0].environment.u_p1_Pa = u_p1_Pa;
+    ShockSettings settings = typedVelocity();
+    settings.p1_Pa = p1_Pa;
+    settings.T1_K = T1_K;
+    const auto result = estimated(set, settings);
+    const Finding *finding = findingWithId(result, "SHK-020");
+    QCOMPARE(finding != nullptr, isTold);
+    if (finding) {
+        QCOMPARE(finding->causes.front(), FindingCause::Typed);
+        const QString text = QString::fromStdString(english(finding->message));
+        QVERIFY2(text.contains(effect), qPrintable(text));
+    }
+    set.shots[0].environment.p1_Pa = set.shots[0].environment.T1_K = std::nan("");
+    QVERIFY(!findingWithId(estimated(set, settings), "SHK-020"));
 }
 
 void TestShockFindings::swappedChannels_offerTheExchange()

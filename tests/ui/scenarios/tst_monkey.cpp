@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Dyncal authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+#include "core/base/compact_heap.h"
 #include "tests/support/test_program.h"
 #include "tests/support/trial_count.h"
 #include "tests/ui/scenarios/monkey.h"
@@ -133,6 +134,7 @@ class TestMonkey : public QObject
     Q_OBJECT
 
 private slots:
+    void initTestCase() { keepHeapCompact(); } // as the window's program does
     void randomActs_breakNothing_data();
     void randomActs_breakNothing();
 };

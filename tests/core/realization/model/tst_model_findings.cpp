@@ -54,6 +54,17 @@ HankelDecomposition decomposed(const Eigen::VectorXd &y, ResponseTreatment treat
         {});
 }
 
+/// A slow part that dies out so many times as fast as the pair rings.
+void addDrift(Scene &scene, double times, double share)
+{
+    Pole drift;
+    drift.s_rad_s = times * scene.model.poles[0].s_rad_s.real();
+    drift.poleClass = PoleClass::Other;
+    scene.model.poles.push_back(drift);
+    scene.model.slowPoles = {static_cast<Index>(scene.model.poles.size()) - 1};
+    scene.model.drift = share;
+}
+
 struct Case
 {
     const char *id;
@@ -79,6 +90,10 @@ const std::vector<Case> &cases()
         {"MOD-002", "Nyquist", [](Scene &s) { s.model.poles[0].poleClass = PoleClass::Nyquist; },
             true},
         {"MOD-003", "step", [](Scene &s) { s.model.poles[0].poleClass = PoleClass::Step; }, true},
+        {"MOD-018", "drift as fast as the ringing's square",
+            [](Scene &s) { addDrift(s, 2.1, 0.01); }, true},
+        {"MOD-018", "a drift of its own", [](Scene &s) { addDrift(s, 0.5, 0.01); }, false},
+        {"MOD-018", "a small one", [](Scene &s) { addDrift(s, 2.1, 0.0005); }, false},
         {"MOD-004", "poor fit", [](Scene &s) { s.model.fit_percent = 70.0; }, true},
         {"MOD-004", "poor, noise allows no more",
             [](Scene &s) { s.model.fit_percent = s.model.fitAttainable_percent = 70.0; }, false},
