@@ -10545,6 +10545,10 @@ steget</translation>
         <source>Shot %1: at the typed start the record has left its baseline by %2 % of the step already: the response began before. Move the start, or let it be found.</source>
         <translation>Skott %1: vid den inskrivna starten har registreringen redan lämnat sin baslinje med %2 % av steget: svaret började tidigare. Flytta starten, eller låt den sökas.</translation>
     </message>
+    <message>
+        <source>Shot %1, channel %2: before the pressure the record drifts by %3 per ms; if it goes on so, the pressure at the end is off by %4, and its U there is %5. Take the drift off the recording, use an amplifier that does not drift, or correct a shorter stretch (--window).</source>
+        <translation>Skott %1, kanal %2: före trycket driver registreringen med %3 per ms; fortsätter den så är trycket i slutet %4 fel, och dess U är där %5. Ta bort driften ur registreringen, använd en förstärkare som inte driver, eller korrigera ett kortare stycke (--window).</translation>
+    </message>
 </context>
 <context>
     <name>dyncal::ArrivalPanel</name>

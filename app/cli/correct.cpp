@@ -141,7 +141,10 @@ int correct(const CorrectOptions &options)
     if (!paths)
         return report(paths.error());
     printCorrection(*outcome, *paths);
-    return concludeCorrection(*outcome, prepared->findings);
+    Findings findings = prepared->findings;
+    for (const Finding &finding : findingsOf(*outcome))
+        findings.push_back(finding);
+    return concludeCorrection(*outcome, findings);
 }
 
 void declareFilter(CLI::App &verb, CorrectOptions &options)

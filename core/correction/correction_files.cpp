@@ -174,4 +174,12 @@ Result<std::vector<std::string>> writeCorrection(
     return folder.commit(files, control).map([&] { return paths; });
 }
 
+Findings findingsOf(const CorrectionOutcome &outcome)
+{
+    Findings findings;
+    for (const ShotPressure &shot : outcome.shots)
+        findings.insert(findings.end(), shot.record.findings.begin(), shot.record.findings.end());
+    return findings;
+}
+
 } // namespace dyncal

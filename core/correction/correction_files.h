@@ -42,6 +42,9 @@ struct CorrectionOutcome
     bool isBoundStated = false; ///< by the customer, not from the recording
 };
 
+/// What the recordings of the shots told while they were corrected (COR-001).
+Findings findingsOf(const CorrectionOutcome &outcome);
+
 /// The folder of a correction: what it writes there, and that it may hold no recording of `set`.
 /// `others`: paths of recipe, profile and results that were given.
 FolderRequest correctionFolder(

@@ -4,6 +4,7 @@
 #include "core/correction/record_pressure.h"
 
 #include "core/base/number_text.h"
+#include "core/signal/baseline_level.h"
 #include "core/signal/rounding.h"
 #include "core/signal/start_detection.h"
 
@@ -77,6 +78,7 @@ struct QuietRecord
 {
     SampleRange range;
     double level = 0.0;
+    double slope = 0.0; ///< per sample, where it drifts steadily
     WindowedResponse noise;
 };
 
@@ -98,7 +100,9 @@ Result<void> checkQuiet(const Eigen::VectorXd &values, const Channel &channel, I
 
 QuietRecord quietOf(const Channel &channel, const SampleRange &range, const Eigen::VectorXd &values)
 {
-    QuietRecord quiet{range, values.mean(), {}};
+    const BaselineLevel baseline = baselineLevel(values, 0);
+    const double slope = baseline.varianceFactor > 1.0 ? baseline.line.slope : 0.0;
+    QuietRecord quiet{range, values.mean(), slope, {}};
     WindowedResponse &noise = quiet.noise;
     noise.sampleRate_Hz = channel.sampleRate_Hz;
     noise.noise = values.array() - quiet.level;
@@ -177,6 +181,34 @@ Result<CorrectedPressure> pressureIn(const Channel &channel, const SampleRange &
             [&](const CorrectedPressure &whole) { return withinWindow(whole, channel, window); });
 }
 
+/// A zero that drifts before the pressure drifts on behind it, in no uncertainty.
+Findings driftOf(const Channel &channel, Index shot, const QuietRecord &quiet,
+    const CorrectedPressure &pressure, double gain)
+{
+    const double end_s
+        = pressure.time_s + static_cast<double>(pressure.pressure_Pa.size() - 1) / pressure.rate_Hz;
+    const double middle_s
+        = 0.5 * (channel.timeOf_s(quiet.range.begin) + channel.timeOf_s(quiet.range.end));
+    const double perSecond_Pa = quiet.slope * channel.sampleRate_Hz * gain;
+    const double atEnd_Pa = perSecond_Pa * (end_s - middle_s);
+    const Index last = pressure.u_Pa.size() - 1;
+    const double U_Pa = pressure.k[last] * pressure.u_Pa[last];
+    if (!(std::abs(atEnd_Pa) > U_Pa))
+        return {};
+    return {{.id = "COR-001",
+        .severity = Severity::Caution,
+        .shot = shot,
+        .channel = channel.name,
+        .message
+        = {DYNCAL_TEXT("core",
+               "Shot %1, channel %2: before the pressure the record drifts by %3 per ms; if it goes on so, the pressure at the end is off by %4, and its U there is %5. Take the drift off the recording, use an amplifier that does not drift, or correct a shorter stretch (--window)."),
+            {std::to_string(shot), channel.name, numberWithUnit(1e-3 * perSecond_Pa, "Pa", 2),
+                numberWithUnit(atEnd_Pa, "Pa", 2), numberWithUnit(U_Pa, "Pa", 2)}},
+        .value = atEnd_Pa,
+        .limit = U_Pa,
+        .causes = {FindingCause::Drift}}};
+}
+
 tl::unexpected<Error> unreadable(const Channel &channel, Index shot)
 {
     return fail(ErrorKind::FileUnreadable,
@@ -205,7 +237,8 @@ Result<RecordPressure> recordPressure(const Channel &channel, Index shot,
     return pressure.map([&](const CorrectedPressure &found) {
         return RecordPressure{found,
             {channel.timeOf_s(quiet->range.begin), channel.timeOf_s(quiet->range.end)},
-            quiet->level, quiet->noise.noiseSd};
+            quiet->level, quiet->noise.noiseSd,
+            driftOf(channel, shot, *quiet, found, filter.gain())};
     });
 }
 

@@ -3,6 +3,7 @@
 
 #pragma once
 
+#include "core/base/finding.h"
 #include "core/base/interval.h"
 #include "core/base/progress.h"
 #include "core/base/result.h"
@@ -28,6 +29,7 @@ struct RecordPressure
     Interval quiet_s; ///< from which noise and level were taken
     double level = 0.0; ///< of the recording there, in its unit: taken off
     double noiseSd = 0.0; ///< of single samples there, in its unit
+    Findings findings = {}; ///< COR-001: its drift before the pressure matters
 };
 
 /// Samples corrected at once at most.

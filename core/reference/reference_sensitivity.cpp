@@ -21,6 +21,7 @@ bool isNotNegative(double u)
     return u >= 0.0 && std::isfinite(u);
 }
 
+constexpr double kBetween = 2.0; ///< times the bend that rows show: it may be larger between them
 constexpr double kFinestUncertainty = 1e-12; ///< of the value: less is rounding error
 
 bool isKnownU(double u, double value)
@@ -127,6 +128,25 @@ Result<ReferenceSensitivity> ReferenceSensitivity::fromModel(const ReferenceMode
     return result;
 }
 
+/// Half the width of the rectangle within which the value lies about the line from row above - 1 to
+/// row `above`.
+double ReferenceSensitivity::missedBetween(
+    std::size_t above, double share, double ReferencePoint::*value) const
+{
+    const auto x = [&](std::size_t i) { return std::log(m_rows[i].frequency_Hz); };
+    const auto slope = [&](std::size_t i) { // from the row before
+        return (m_rows[i].*value - m_rows[i - 1].*value) / (x(i) - x(i - 1));
+    };
+    const double h = x(above) - x(above - 1);
+    if (m_rows.size() == 2)
+        return 2.0 * share * (1.0 - share) * std::abs(slope(above) * h);
+    double bend = 0.0;
+    for (const std::size_t i : {above - 1, above})
+        if (i > 0 && i + 1 < m_rows.size())
+            bend = std::max(bend, std::abs(slope(i + 1) - slope(i)) * 2.0 / (x(i + 1) - x(i - 1)));
+    return kBetween * 0.5 * h * h * share * (1.0 - share) * bend;
+}
+
 std::optional<ReferencePoint> ReferenceSensitivity::at(double frequency_Hz) const
 {
     if (m_model)
@@ -147,8 +167,12 @@ std::optional<ReferencePoint> ReferenceSensitivity::at(double frequency_Hz) cons
     const auto between
         = [&](double ReferencePoint::*value) { return a.*value + share * (b.*value - a.*value); };
     using P = ReferencePoint;
-    return ReferencePoint{frequency_Hz, between(&P::magnitude), between(&P::u_magnitude),
-        between(&P::phase_rad), between(&P::u_phase_rad), std::min(a.dof, b.dof)};
+    const auto row = static_cast<std::size_t>(above - m_rows.begin());
+    const auto uOf = [&](double P::*value, double P::*u) {
+        return std::hypot(between(u), missedBetween(row, share, value) / std::sqrt(3.0));
+    };
+    return ReferencePoint{frequency_Hz, between(&P::magnitude), uOf(&P::magnitude, &P::u_magnitude),
+        between(&P::phase_rad), uOf(&P::phase_rad, &P::u_phase_rad), std::min(a.dof, b.dof)};
 }
 
 std::optional<double> ReferenceSensitivity::withoutU_Hz() const

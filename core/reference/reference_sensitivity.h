@@ -38,8 +38,12 @@ public:
     /// sensitivity, f0 and zeta are above 0 and no u is negative.
     static Result<ReferenceSensitivity> fromModel(const ReferenceModel &model);
 
-    /// Between the rows of a table straight lines over log f, of the u too. Empty outside a table:
-    /// nobody calibrated the transducer there.
+    /// Between the rows of a table straight lines over log f, of the u too, which has besides what
+    /// a straight line may miss: 2 h^2/2 s (1 - s) |y''| as half the width of a rectangle, with
+    /// y'' the larger of the second differences at both rows (it may be larger between them), h the
+    /// distance of the rows in log f and s the place between them; of a table of two rows half
+    /// their difference in the middle. Empty outside a table: nobody calibrated the transducer
+    /// there.
     std::optional<ReferencePoint> at(double frequency_Hz) const;
 
     /// The lowest frequency at which an uncertainty of a table is not known: 0, or below 1e-12 of
@@ -63,6 +67,8 @@ public:
     double highest_Hz() const; ///< infinite of a model
 
 private:
+    double missedBetween(std::size_t above, double share, double ReferencePoint::*value) const;
+
     std::vector<ReferencePoint> m_rows;
     std::optional<ReferenceModel> m_model;
 };

@@ -38,8 +38,24 @@ class KnownTable:
     def at(self, f_Hz):
         if not self.frequency_Hz[0] * (1.0 - ROUNDING) <= f_Hz <= self.frequency_Hz[-1] * (1.0 + ROUNDING):
             return None
-        return Point(*(self._between(name, f_Hz) for name in ("magnitude", "u_magnitude", "phase_rad", "u_phase_rad")),
-                     self._dof(f_Hz))
+        return Point(self._between("magnitude", f_Hz), self._u("magnitude", f_Hz),
+                     self._between("phase_rad", f_Hz), self._u("phase_rad", f_Hz), self._dof(f_Hz))
+
+    def _u(self, name, f_Hz):
+        """That of the rows, and what a straight line between them may miss."""
+        u = self._between("u_" + name, f_Hz)
+        return None if u is None else float(np.hypot(u, self._missed(self.columns[name], np.log(f_Hz)) / np.sqrt(3.0)))
+
+    def _missed(self, y, at):
+        x = np.log(self.frequency_Hz)
+        above = min(max(np.searchsorted(x, at), 1), len(x) - 1)
+        s = min(max((at - x[above - 1]) / (x[above] - x[above - 1]), 0.0), 1.0)
+        if len(x) == 2:
+            return 2.0 * s * (1.0 - s) * abs(y[1] - y[0])
+        slope = np.diff(y) / np.diff(x)
+        bend = np.zeros(len(x))
+        bend[1:-1] = 2.0 * np.diff(slope) / (x[2:] - x[:-2])
+        return (x[above] - x[above - 1])**2 * s * (1.0 - s) * np.abs(bend[above - 1:above + 1]).max()
 
     def _between(self, name, f_Hz):
         column = self.columns.get(name)

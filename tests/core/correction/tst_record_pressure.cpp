@@ -236,6 +236,29 @@ private slots:
         QCOMPARE(found->pressure.bound_Pa.minCoeff(), 1234.0);
         QCOMPARE(found->pressure.bound_Pa.maxCoeff(), 1234.0);
     }
+
+    /// Of the record's zero, per ms in shares of the peak's voltage.
+    void driftBeforeThePressure_isTold()
+    {
+        const Channel still = channelWithPulse();
+        QVERIFY(recordPressure(still, 1, filter())->findings.empty());
+        const double peak_V = kPeak_Pa / filter().gain();
+        for (const double per_ms : {0.002, -0.02}) {
+            std::vector<double> values = samplesOf(still);
+            for (std::size_t i = 0; i < values.size(); ++i)
+                values[i] += per_ms * peak_V * 1e3 * static_cast<double>(i) / kRate_Hz;
+            const auto found = recordPressure(withSamples(still, values), 2, filter());
+            QCOMPARE(found->findings.size(), std::size_t(1));
+            QCOMPARE(found->findings[0].id, std::string("COR-001"));
+            QCOMPARE(found->findings[0].shot, Index(2));
+            const double end_ms = 1e3
+                * (found->pressure.time_s
+                    + static_cast<double>(found->pressure.pressure_Pa.size()) / kRate_Hz);
+            const double middle_ms = 0.5e3 * (found->quiet_s.begin + found->quiet_s.end);
+            QVERIFY(
+                isNear(*found->findings[0].value, per_ms * kPeak_Pa * (end_ms - middle_ms), 0.02));
+        }
+    }
 };
 
 DYNCAL_TEST(TestRecordPressure)

@@ -116,6 +116,8 @@ Result<CorrectionReport> correctionReport(const CorrectionTask &task, const JobC
     return correctRecordings(
         *source, *report.captures, task.filter, task.record, control.between(kReadingShare, 1.0))
         .map([&](CorrectionOutcome outcome) {
+            for (const Finding &finding : findingsOf(outcome))
+                report.findings.push_back(finding);
             report.outcome = std::make_shared<const CorrectionOutcome>(std::move(outcome));
             return report;
         });

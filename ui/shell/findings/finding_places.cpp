@@ -134,6 +134,7 @@ constexpr std::pair<std::string_view, FindingPlace> kPlaces[]{
     {"CER-010", {Page::Certificate, "field_laboratory_country"}},
     {"CER-011", {Page::Certificate, "exportCertificate"}},
     {"PRJ-001", {Captures, "shotTable"}},
+    {"COR-001", {Captures, "shotTable"}},
 };
 
 } // namespace
