@@ -39,7 +39,7 @@ public:
     static Result<ReferenceSensitivity> fromModel(const ReferenceModel &model);
 
     /// Between the rows of a table straight lines over log f, of the u too, which has besides what
-    /// a straight line may miss: 2 h^2/2 s (1 - s) |y''| as half the width of a rectangle, with
+    /// a straight line may miss: h^2 s (1 - s) |y''| as half the width of a rectangle, with
     /// y'' the larger of the second differences at both rows (it may be larger between them), h the
     /// distance of the rows in log f and s the place between them; of a table of two rows half
     /// their difference in the middle. Empty outside a table: nobody calibrated the transducer

@@ -3,6 +3,7 @@
 
 #include "core/signal/interpolated_samples.h"
 
+#include <cmath>
 #include <numeric>
 
 namespace dyncal {

@@ -97,9 +97,9 @@ std::vector<SeriesSource> seriesSources(const std::vector<WindowedResponse> &res
     }
     for (const WindowedResponse &response : responses) {
         const Rounding rounding = roundingOf(response);
-        list.push_back({response.shot, response.values, response.lead, response.length,
-            response.sampleRate_Hz, response.noise, rounding.sd, rounding.lastingSd,
-            response.baselineVarianceFactor});
+        list.push_back(
+            {response.shot, response.values, response.lead, response.length, response.sampleRate_Hz,
+                response.noise, rounding.sd, rounding.lastingSd, response.baselineVarianceFactor});
     }
     return list;
 }

@@ -56,6 +56,9 @@ void CorrectionWindow::buildContents()
 {
     m_isRebuilding = false;
     const CorrectionChoice choice = m_form ? m_form->choice() : CorrectionChoice();
+    // A button that loses the keyboard while its box is destroyed looks through what is left of it.
+    if (QWidget *focused = focusWidget())
+        focused->clearFocus();
     delete m_contents;
     m_contents = new QWidget(this);
     setWindowTitle(tr("Correct a recording"));

@@ -540,6 +540,11 @@ void TestCorrectionWindow::language_changesEverything()
         return all;
     };
     english = words();
+    // A button has the keyboard while all is built anew.
+    bench.dialog->activateWindow();
+    QVERIFY(QTest::qWaitForWindowActive(bench.dialog));
+    bench.button("correctionClose")->setFocus();
+    QVERIFY(bench.button("correctionClose")->hasFocus());
     bench.language.install("sv");
     QTRY_VERIFY(bench.dialog->windowTitle() != "Correct a recording");
     const QStringList swedish = words();
