@@ -32,7 +32,7 @@ double dofOfBins(Index bins)
 }
 
 /// Means of so many samples each, as many as an FFT takes fast.
-Eigen::VectorXd meansOf(const Eigen::VectorXd &noise, Index samples)
+Eigen::VectorXd lastMeansOf(const Eigen::VectorXd &noise, Index samples)
 {
     Index count = noise.size() / samples;
     while (count > 1 && fastFftLength(count) != count)
@@ -67,7 +67,7 @@ void NoiseDensity::findOctaves(const Eigen::VectorXd &noise)
     const double rate_Hz = m_rate_Hz / static_cast<double>(samples);
     SpectrumSettings settings;
     settings.taper = Taper::Hann;
-    const auto spectrum = computePowerSpectrum(meansOf(noise, samples), rate_Hz, settings);
+    const auto spectrum = computePowerSpectrum(lastMeansOf(noise, samples), rate_Hz, settings);
     if (!spectrum)
         return; // a sample that is no number
     const Eigen::VectorXd power = 0.5 * m_rate_Hz * spectrum->psd; // 1 for white noise of 1

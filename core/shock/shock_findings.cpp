@@ -73,6 +73,16 @@ const char *gasText(const GasContradiction &found)
         "The chosen driven gas has a speed of sound of %1, the gas named in the capture %2: with that the pressure step would be %3 % different. The chosen gas is used; check which one was in the tube.");
 }
 
+/// By what share another gas or state would change the step at the same velocity.
+double changeOfStep(const ShockWork &work, const GasModel &gas, const SectionState &state)
+{
+    const ShockStates &states = *work.conditions.states;
+    const auto others
+        = shockStatesOf(gas, state.pressure_Pa, state.temperature_K, states.velocity_m_s);
+    return others ? stepOf(*others, work.atEndWall()) / stepOf(states, work.atEndWall()) - 1.0
+                  : kUnknown;
+}
+
 /// SHK-019: more than the tube can hold, or several times what was recorded.
 bool isBeyondTheTube(ShockWork &work, double computed_Pa, double recorded_Pa)
 {
@@ -102,12 +112,7 @@ void judgeGas(ShockWork &work, const SectionState &state)
     const auto found = gasContradiction(work.gasWays, state);
     if (!found)
         return;
-    const ShockStates &states = *work.conditions.states;
-    const auto others = shockStatesOf(
-        found->otherModel, state.pressure_Pa, state.temperature_K, states.velocity_m_s);
-    const double change = others
-        ? stepOf(*others, work.atEndWall()) / stepOf(states, work.atEndWall()) - 1.0
-        : kUnknown;
+    const double change = changeOfStep(work, found->otherModel, state);
     work.findings.push_back({.id = "SHK-015",
         .severity = Severity::Caution,
         .shot = work.conditions.shot,
@@ -137,12 +142,7 @@ void judgeBesides(ShockWork &work, const TypedBesides &found)
     const double difference = std::abs(found.typed - found.recorded);
     if (!(difference > found.largest))
         return;
-    const ShockStates &states = *work.conditions.states;
-    const auto others = shockStatesOf(*work.conditions.drivenGas, found.instead.pressure_Pa,
-        found.instead.temperature_K, states.velocity_m_s);
-    const double change = others
-        ? stepOf(*others, work.atEndWall()) / stepOf(states, work.atEndWall()) - 1.0
-        : kUnknown;
+    const double change = changeOfStep(work, *work.conditions.drivenGas, found.instead);
     work.findings.push_back({.id = "SHK-020",
         .severity = Severity::Caution,
         .shot = work.conditions.shot,

@@ -17,13 +17,8 @@ bool driftsSteadily(const Eigen::Ref<const Eigen::VectorXd> &quiet)
     const Index piece = quiet.size() / kDriftPieces;
     if (piece < kLeastDriftPiece)
         return false;
-    Eigen::VectorXd means(kDriftPieces);
-    for (Index i = 0; i < kDriftPieces; ++i)
-        means[i] = quiet.segment(i * piece, piece).mean();
-    const LineFit line = fitLine(means);
-    constexpr double n = kDriftPieces;
-    const double u_slope = line.sd * std::sqrt(12.0 / (n * (n * n - 1.0)));
-    return std::abs(line.slope) > kSteady * u_slope;
+    const LineFit line = fitLine(meansOf(quiet, piece).head(kDriftPieces));
+    return std::abs(line.slope) > kSteady * uOfSlope(line.sd, kDriftPieces);
 }
 
 } // namespace

@@ -40,6 +40,20 @@ LineFit fitLine(const Eigen::Ref<const Eigen::VectorXd> &values)
     return fit;
 }
 
+double uOfSlope(double sd, Index count)
+{
+    const auto n = static_cast<double>(count);
+    return sd / std::sqrt(n * (n * n - 1.0) / 12.0);
+}
+
+Eigen::VectorXd meansOf(const Eigen::Ref<const Eigen::VectorXd> &values, Index each)
+{
+    Eigen::VectorXd means(values.size() / each);
+    for (Index i = 0; i < means.size(); ++i)
+        means[i] = values.segment(i * each, each).mean();
+    return means;
+}
+
 Eigen::VectorXd withoutLine(const Eigen::Ref<const Eigen::VectorXd> &values)
 {
     if (values.size() == 0)

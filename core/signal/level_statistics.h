@@ -24,6 +24,12 @@ struct LineFit
 /// `values` finite.
 LineFit fitLine(const Eigen::Ref<const Eigen::VectorXd> &values);
 
+/// Of the slope of a line through so many equidistant values with this standard deviation.
+double uOfSlope(double sd, Index count);
+
+/// Means of stretches of `each` samples; what is left over at the end takes no part.
+Eigen::VectorXd meansOf(const Eigen::Ref<const Eigen::VectorXd> &values, Index each);
+
 /// `values` less their line.
 Eigen::VectorXd withoutLine(const Eigen::Ref<const Eigen::VectorXd> &values);
 

@@ -26,14 +26,6 @@ constexpr double kSigmas = 10.0;
 constexpr double kSigmasOfFew = 12.0; ///< where a piece has few means, and its size is uncertain
 constexpr Index kFewMeans = 64;
 
-Eigen::VectorXd meansOf(const Eigen::Ref<const Eigen::VectorXd> &values, Index samples)
-{
-    Eigen::VectorXd means(values.size() / samples);
-    for (Index i = 0; i < means.size(); ++i)
-        means[i] = values.segment(i * samples, samples).mean();
-    return means;
-}
-
 double quantileOf(Eigen::VectorXd values, double share)
 {
     const auto at

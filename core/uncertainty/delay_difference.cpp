@@ -4,6 +4,7 @@
 #include "core/uncertainty/delay_difference.h"
 
 #include "core/base/number_text.h"
+#include "core/consistency/way_comparison.h"
 
 #include <algorithm>
 #include <cmath>
@@ -12,7 +13,6 @@
 namespace dyncal {
 namespace {
 
-constexpr double kContradiction = 3.6; ///< as between two ways to one quantity, way_comparison.h
 constexpr double kModel_rad = 0.02; ///< that no model's phase is nearer than, where noise is small
 constexpr std::size_t kLeastRows = 3;
 

@@ -14,22 +14,6 @@ namespace {
 constexpr Index kMeans = 32;
 constexpr Index kFewestPerMean = 10;
 
-/// Means of stretches of `each` samples; what is left over at the end takes no part.
-Eigen::VectorXd meansOf(const Eigen::Ref<const Eigen::VectorXd> &values, Index each)
-{
-    Eigen::VectorXd means(values.size() / each);
-    for (Index i = 0; i < means.size(); ++i)
-        means[i] = values.segment(i * each, each).mean();
-    return means;
-}
-
-/// Of the slope of a line through so many equidistant means with this standard deviation.
-double u_slope(double sd, Index count)
-{
-    const auto n = static_cast<double>(count);
-    return sd / std::sqrt(n * (n * n - 1.0) / 12.0);
-}
-
 bool driftsBehind(const WindowedResponse &response, double from_s)
 {
     constexpr double kSigmas = 6.0;
@@ -42,7 +26,7 @@ bool driftsBehind(const WindowedResponse &response, double from_s)
     const LineFit line = fitLine(meansOf(behind, each).head(kMeans));
     const double sd = std::max(line.sd, fitLine(meansOf(response.noise, each)).sd);
     const double change = std::abs(line.slope) * static_cast<double>(kMeans);
-    return std::abs(line.slope) > kSigmas * u_slope(sd, kMeans)
+    return std::abs(line.slope) > kSigmas * uOfSlope(sd, kMeans)
         && change > kLeast * std::abs(line.mean);
 }
 
