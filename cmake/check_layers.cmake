@@ -21,7 +21,7 @@ set(rooms_of_ui text session plot/values plot/curves plot/qcp plot/widget report
     stages/frame stages/candidates stages/shock stages/window stages/spectrum stages/model
     stages/order stages/uncertainty stages/comparison stages/certificate stages
     shell/banner shell/preferences shell/import shell/findings shell/files shell/program
-    shell/batch shell/registry shell/recovery shell/correction shell)
+    shell/batch shell/registry shell/recovery shell/tips shell/correction shell)
 
 function(check_room layer file line)
     string(REGEX REPLACE "^${layer}/(.*)/[^/]*$" "\\1" room "${file}")

@@ -2285,24 +2285,8 @@
         <translation>Die Blöcke von Versuchen passen nicht zusammen: Einer beginnt mit Versuch %1, erwartet ist %2; Blöcke einer Kalibrierung in ihrer Reihenfolge zusammenführen.</translation>
     </message>
     <message>
-        <source>%1: Monte Carlo gives U = %2, the law of propagation only %3: use Monte Carlo. The law gives too little for %4 of %5 values and rows; their intervals by Monte Carlo are in monte_carlo of results.json.</source>
-        <translation>%1: Monte Carlo ergibt U = %2, das Fortpflanzungsgesetz nur %3: Monte Carlo verwenden. Das Gesetz gibt für %4 von %5 Werten und Zeilen zu wenig; ihre Intervalle nach Monte Carlo stehen in monte_carlo von results.json.</translation>
-    </message>
-    <message>
-        <source>%1: Monte Carlo gives U = %2, the law of propagation only %3, for a front of any duration up to 100 ns; it is so for %4 of %5 values and rows. Nobody has stated how long the front lasts: state shock.front_duration_s, or take these intervals from monte_carlo of results.json.</source>
-        <translation>%1: Monte Carlo ergibt U = %2, das Fortpflanzungsgesetz nur %3, für eine Front beliebiger Dauer bis 100 ns; so ist es bei %4 von %5 Werten und Zeilen. Niemand hat angegeben, wie lange die Front dauert: shock.front_duration_s angeben oder diese Intervalle aus monte_carlo von results.json nehmen.</translation>
-    </message>
-    <message>
-        <source>%1: Monte Carlo gives U = %2, the law of propagation %3. The law gives more than is needed for %4 of %5 values and rows: what is stated is safe, Monte Carlo would state less.</source>
-        <translation>%1: Monte Carlo ergibt U = %2, das Fortpflanzungsgesetz %3. Das Gesetz gibt für %4 von %5 Werten und Zeilen mehr als nötig: Das Angegebene ist sicher, Monte Carlo würde weniger angeben.</translation>
-    </message>
-    <message>
         <source>%1 of %2 records made as the model gives them, with the noise of the shots, could not be fitted again: the values of the model may be far more uncertain than is stated. Choose a lower order, or record with less noise.</source>
         <translation>%1 von %2 Aufzeichnungen, wie das Modell sie ergibt, mit dem Rauschen der Schüsse, konnten nicht neu angepasst werden: Die Werte des Modells sind vielleicht weit unsicherer als angegeben. Eine niedrigere Ordnung wählen oder mit weniger Rauschen aufzeichnen.</translation>
-    </message>
-    <message>
-        <source>%1 of %2 refits of simulated records is %3 times as uncertain as the model&apos;s covariance has it, and %4 of that u apart: the stated uncertainties of the model&apos;s values do not hold. Choose a lower order, or record with less noise.</source>
-        <translation>%1 von %2 Neuanpassungen simulierter Aufzeichnungen ist das %3-Fache so unsicher, wie die Kovarianz des Modells es hat, und um das %4-Fache dieses u entfernt: Die angegebenen Unsicherheiten der Werte des Modells gelten nicht. Eine niedrigere Ordnung wählen oder mit weniger Rauschen aufzeichnen.</translation>
     </message>
     <message>
         <source>Not enough memory for this calibration; shorten the window or the model input.</source>
@@ -3175,10 +3159,6 @@
     <message>
         <source>The sensitivity has no complete uncertainty (%M1). State what is missing in uncertainty.budget or in the capture; without it no sensitivity is a result.</source>
         <translation>Die Empfindlichkeit hat keine vollständige Unsicherheit (%M1). Das Fehlende in uncertainty.budget oder in der Aufzeichnung angeben; ohne es ist keine Empfindlichkeit ein Ergebnis.</translation>
-    </message>
-    <message>
-        <source>%1 is %2 % of the variance of the sensitivity: to know it better is what makes its uncertainty smaller.</source>
-        <translation>%1 ist %2 % der Varianz der Empfindlichkeit: Es besser zu kennen, verkleinert deren Unsicherheit.</translation>
     </message>
     <message>
         <source>The document cannot be drawn: the program found nothing to draw on; start it anew.</source>
@@ -4451,6 +4431,70 @@
     <message>
         <source>Shot %1: at the typed start the record has left its baseline by %2 % of the step already: the response began before. Move the start, or let it be found.</source>
         <translation>Schuss %1: Am eingetippten Beginn hat die Aufzeichnung ihre Grundlinie schon um %2 % des Sprungs verlassen: Die Antwort begann vorher. Verschieben Sie den Beginn, oder lassen Sie ihn suchen.</translation>
+    </message>
+    <message>
+        <source>The records begin as those of a second-order sensor (%1, damping %2) behind a pressure that rises over %3 (u = %4), and no front is stated: state its duration, or look for a faster part of sensor and amplifier.</source>
+        <translation>Die Aufzeichnungen beginnen wie die eines Aufnehmers zweiter Ordnung (%1, Dämpfung %2) hinter einem Druck, der über %3 (u = %4) ansteigt, und keine Front ist angegeben: ihre Dauer angeben oder nach einem schnelleren Teil von Aufnehmer und Verstärker suchen.</translation>
+    </message>
+    <message>
+        <source>Without the first %1 of the records the main resonance has %2 % of frequency and %3 % of damping more, beyond what noise allows: the excitation lasts into them, as a hammer&apos;s contact does (leave that stretch out), or a faster part is missing in the model.</source>
+        <translation>Ohne die ersten %1 der Aufzeichnungen hat die Hauptresonanz %2 % mehr Frequenz und %3 % mehr Dämpfung, über das hinaus, was das Rauschen erlaubt: Die Anregung dauert bis in sie hinein, wie die Berührung eines Hammers (diesen Abschnitt auslassen), oder ein schnellerer Teil fehlt im Modell.</translation>
+    </message>
+    <message>
+        <source>With p1 = %1 the shock implies a driver pressure of %2, a fifth or less of the %3 that are stated (all absolute): p1 is a gauge pressure or in another unit, or the driver gas is another; the step goes with p1.</source>
+        <translation>Mit p1 = %1 verlangt der Stoß einen Treiberdruck von %2, höchstens ein Fünftel der angegebenen %3 (alle absolut): p1 ist ein Überdruck oder in einer anderen Einheit, oder das Treibergas ist ein anderes; der Sprung geht mit p1.</translation>
+    </message>
+    <message>
+        <source>The resonance at %1 has no uncertainty, because the model was not refined: without it no resonance is a result. Take another order, or leave out of the window what is no free decay.</source>
+        <translation>Die Resonanz bei %1 hat keine Unsicherheit, weil das Modell nicht verfeinert wurde: Ohne sie ist keine Resonanz ein Ergebnis. Eine andere Ordnung nehmen oder aus dem Fenster lassen, was kein freies Abklingen ist.</translation>
+    </message>
+    <message>
+        <source>%M1 at %1</source>
+        <translation>%M1 bei %1</translation>
+    </message>
+    <message>
+        <source>%M1: Monte Carlo gives U = %1, the law of propagation only %2: use Monte Carlo. The law gives too little for %3 of %4 values and rows; their intervals by Monte Carlo are in monte_carlo of results.json.</source>
+        <translation>%M1: Monte Carlo ergibt U = %1, das Fortpflanzungsgesetz nur %2: Monte Carlo verwenden. Das Gesetz gibt für %3 von %4 Werten und Zeilen zu wenig; ihre Intervalle nach Monte Carlo stehen in monte_carlo von results.json.</translation>
+    </message>
+    <message>
+        <source>%M1: Monte Carlo gives U = %1, the law of propagation only %2, for a front of any duration up to 100 ns; it is so for %3 of %4 values and rows. Nobody has stated how long the front lasts: state shock.front_duration_s, or take these intervals from monte_carlo of results.json.</source>
+        <translation>%M1: Monte Carlo ergibt U = %1, das Fortpflanzungsgesetz nur %2, für eine Front beliebiger Dauer bis 100 ns; so ist es bei %3 von %4 Werten und Zeilen. Niemand hat angegeben, wie lange die Front dauert: shock.front_duration_s angeben oder diese Intervalle aus monte_carlo von results.json nehmen.</translation>
+    </message>
+    <message>
+        <source>%M1: Monte Carlo gives U = %1, the law of propagation %2. The law gives more than is needed for %3 of %4 values and rows: what is stated is safe, Monte Carlo would state less.</source>
+        <translation>%M1: Monte Carlo ergibt U = %1, das Fortpflanzungsgesetz %2. Das Gesetz gibt für %3 von %4 Werten und Zeilen mehr als nötig: Das Angegebene ist sicher, Monte Carlo würde weniger angeben.</translation>
+    </message>
+    <message>
+        <source>%M1: %1 refits of simulated records are %2 times as uncertain as the model&apos;s covariance has it, and %3 of that u apart: the stated uncertainties of the model&apos;s values do not hold. Choose a lower order, or record with less noise.</source>
+        <translation>%M1: %1 Neuanpassungen simulierter Aufzeichnungen sind das %2-Fache so unsicher, wie die Kovarianz des Modells es hat, und um das %3-Fache dieses u entfernt: Die angegebenen Unsicherheiten der Werte des Modells gelten nicht. Eine niedrigere Ordnung wählen oder mit weniger Rauschen aufzeichnen.</translation>
+    </message>
+    <message>
+        <source>attenuation along the tube</source>
+        <translation>Dämpfung entlang des Rohrs</translation>
+    </message>
+    <message>
+        <source>noise of the level</source>
+        <translation>Rauschen des Pegels</translation>
+    </message>
+    <message>
+        <source>scatter of the shots</source>
+        <translation>Streuung der Schüsse</translation>
+    </message>
+    <message>
+        <source>scatter of the velocity</source>
+        <translation>Streuung der Geschwindigkeit</translation>
+    </message>
+    <message>
+        <source>response of the measuring chain</source>
+        <translation>Frequenzgang der Messkette</translation>
+    </message>
+    <message>
+        <source>certificate of the reference transducer</source>
+        <translation>Kalibrierschein des Referenzaufnehmers</translation>
+    </message>
+    <message>
+        <source>%1 % of the variance of the sensitivity come from one source, %M1: to know it better is what makes the uncertainty smaller.</source>
+        <translation>%1 % der Varianz der Empfindlichkeit kommen aus einer Quelle, %M1: Sie besser zu kennen, verkleinert die Unsicherheit.</translation>
     </message>
 </context>
 </TS>

@@ -1150,6 +1150,14 @@ steget</translation>
         <source>A template of your own (.json), with the logo beside it</source>
         <translation>En egen mall (.json), med logotypen bredvid</translation>
     </message>
+    <message>
+        <source>How long the pressure rises at the sensor: a tilt of 1° over 5.5 mm makes 190 ns; empty where it is sharp</source>
+        <translation>Hur länge trycket stiger vid givaren: en lutning på 1° över 5,5 mm ger 190 ns; tomt där det stiger skarpt</translation>
+    </message>
+    <message>
+        <source>Standard uncertainty of the front&apos;s duration</source>
+        <translation>Standardosäkerhet för frontens varaktighet</translation>
+    </message>
 </context>
 <context>
     <name>Corrections</name>
@@ -7202,10 +7210,6 @@ steget</translation>
         <translation>Känsligheten har ingen fullständig osäkerhet (%M1). Ange det som saknas i uncertainty.budget eller i registreringen; utan den är ingen känslighet ett resultat.</translation>
     </message>
     <message>
-        <source>%1 is %2 % of the variance of the sensitivity: to know it better is what makes its uncertainty smaller.</source>
-        <translation>%1 är %2 % av känslighetens varians: att känna den bättre är vad som gör osäkerheten mindre.</translation>
-    </message>
-    <message>
         <source>The lower limit follows from the length of the window, the upper one from the noise and the sample rate. Frequencies are settings, without an uncertainty. The model&apos;s values have the digits of the wider of their uncertainty and the measured value&apos;s; they end at half the sample rate of the model. A dash means that the value, or its complete uncertainty, was not determined.</source>
         <translation>Den undre gränsen följer av fönstrets längd, den övre av bruset och samplingsfrekvensen. Frekvenser är inställningar, utan osäkerhet. Modellens värden har de siffror som den större av deras och det uppmätta värdets osäkerhet medger; de slutar vid modellens halva samplingsfrekvens. Ett streck betyder att värdet, eller dess fullständiga osäkerhet, inte har bestämts.</translation>
     </message>
@@ -8650,20 +8654,8 @@ steget</translation>
         <translation>En kontroll stämmer där funnet och väntat inte skiljer sig mer än toleransen. Det sista talet är hur långt resultatet flyttar sig när alla data ändras med en del på 10^12: avrundning flyttar det mindre än en tusendel av det.</translation>
     </message>
     <message>
-        <source>%1: Monte Carlo gives U = %2, the law of propagation only %3: use Monte Carlo. The law gives too little for %4 of %5 values and rows; their intervals by Monte Carlo are in monte_carlo of results.json.</source>
-        <translation>%1: Monte Carlo ger U = %2, fortplantningslagen bara %3: använd Monte Carlo. Lagen ger för lite för %4 av %5 värden och rader; deras intervall enligt Monte Carlo står i monte_carlo i results.json.</translation>
-    </message>
-    <message>
-        <source>%1: Monte Carlo gives U = %2, the law of propagation %3. The law gives more than is needed for %4 of %5 values and rows: what is stated is safe, Monte Carlo would state less.</source>
-        <translation>%1: Monte Carlo ger U = %2, fortplantningslagen %3. Lagen ger mer än vad som behövs för %4 av %5 värden och rader: det som anges är på den säkra sidan, Monte Carlo skulle ange mindre.</translation>
-    </message>
-    <message>
         <source>The blocks of trials do not fit together: one begins with trial %1, expected is %2; merge blocks of one calibration, in their order.</source>
         <translation>Blocken av försök hör inte ihop: ett börjar med försök %1, väntat var %2; slå samman block från en kalibrering, i deras ordning.</translation>
-    </message>
-    <message>
-        <source>%1: Monte Carlo gives U = %2, the law of propagation only %3, for a front of any duration up to 100 ns; it is so for %4 of %5 values and rows. Nobody has stated how long the front lasts: state shock.front_duration_s, or take these intervals from monte_carlo of results.json.</source>
-        <translation>%1: Monte Carlo ger U = %2, fortplantningslagen bara %3, för en front av godtycklig varaktighet upp till 100 ns; så är det för %4 av %5 värden och rader. Ingen har angett hur länge fronten varar: ange shock.front_duration_s, eller ta dessa intervall från monte_carlo i results.json.</translation>
     </message>
     <message>
         <source>compared at %L1</source>
@@ -8752,10 +8744,6 @@ steget</translation>
     <message>
         <source>%1 of %2 records made as the model gives them, with the noise of the shots, could not be fitted again: the values of the model may be far more uncertain than is stated. Choose a lower order, or record with less noise.</source>
         <translation>%1 av %2 registreringar som modellen ger dem, med skottens brus, kunde inte anpassas på nytt: modellens värden kan vara långt osäkrare än vad som anges. Välj en lägre ordning eller spela in med mindre brus.</translation>
-    </message>
-    <message>
-        <source>%1 of %2 refits of simulated records is %3 times as uncertain as the model&apos;s covariance has it, and %4 of that u apart: the stated uncertainties of the model&apos;s values do not hold. Choose a lower order, or record with less noise.</source>
-        <translation>%1 från %2 nya anpassningar till simulerade registreringar är %3 gånger så osäker som modellens kovarians anger, och skiljer sig med %4 av detta u: de angivna osäkerheterna för modellens värden håller inte. Välj en lägre ordning eller spela in med mindre brus.</translation>
     </message>
     <message>
         <source>An amendment needs both --amends NUMBER and --reason TEXT, which says what changed.</source>
@@ -10549,6 +10537,70 @@ steget</translation>
         <source>Shot %1, channel %2: before the pressure the record drifts by %3 per ms; if it goes on so, the pressure at the end is off by %4, and its U there is %5. Take the drift off the recording, use an amplifier that does not drift, or correct a shorter stretch (--window).</source>
         <translation>Skott %1, kanal %2: före trycket driver registreringen med %3 per ms; fortsätter den så är trycket i slutet %4 fel, och dess U är där %5. Ta bort driften ur registreringen, använd en förstärkare som inte driver, eller korrigera ett kortare stycke (--window).</translation>
     </message>
+    <message>
+        <source>The records begin as those of a second-order sensor (%1, damping %2) behind a pressure that rises over %3 (u = %4), and no front is stated: state its duration, or look for a faster part of sensor and amplifier.</source>
+        <translation>Registreringarna börjar som hos en givare av andra ordningen (%1, dämpning %2) bakom ett tryck som stiger under %3 (u = %4), och ingen front är angiven: ange dess varaktighet, eller leta efter en snabbare del i givare och förstärkare.</translation>
+    </message>
+    <message>
+        <source>Without the first %1 of the records the main resonance has %2 % of frequency and %3 % of damping more, beyond what noise allows: the excitation lasts into them, as a hammer&apos;s contact does (leave that stretch out), or a faster part is missing in the model.</source>
+        <translation>Utan registreringarnas första %1 har huvudresonansen %2 % högre frekvens och %3 % högre dämpning, mer än bruset tillåter: anslaget varar in i dem, som en hammares kontakt gör (utelämna den sträckan), eller så saknar modellen en snabbare del.</translation>
+    </message>
+    <message>
+        <source>With p1 = %1 the shock implies a driver pressure of %2, a fifth or less of the %3 that are stated (all absolute): p1 is a gauge pressure or in another unit, or the driver gas is another; the step goes with p1.</source>
+        <translation>Med p1 = %1 kräver stötvågen ett drivtryck på %2, högst en femtedel av de %3 som är angivna (alla absoluta): p1 är ett övertryck eller i en annan enhet, eller drivgasen är en annan; steget följer p1.</translation>
+    </message>
+    <message>
+        <source>The resonance at %1 has no uncertainty, because the model was not refined: without it no resonance is a result. Take another order, or leave out of the window what is no free decay.</source>
+        <translation>Resonansen vid %1 har ingen osäkerhet, eftersom modellen inte förfinades: utan den är ingen resonans ett resultat. Ta en annan ordning, eller lämna utanför fönstret det som inte är fritt avklingande.</translation>
+    </message>
+    <message>
+        <source>%M1 at %1</source>
+        <translation>%M1 vid %1</translation>
+    </message>
+    <message>
+        <source>%M1: Monte Carlo gives U = %1, the law of propagation only %2: use Monte Carlo. The law gives too little for %3 of %4 values and rows; their intervals by Monte Carlo are in monte_carlo of results.json.</source>
+        <translation>%M1: Monte Carlo ger U = %1, fortplantningslagen bara %2: använd Monte Carlo. Lagen ger för lite för %3 av %4 värden och rader; deras intervall enligt Monte Carlo står i monte_carlo i results.json.</translation>
+    </message>
+    <message>
+        <source>%M1: Monte Carlo gives U = %1, the law of propagation only %2, for a front of any duration up to 100 ns; it is so for %3 of %4 values and rows. Nobody has stated how long the front lasts: state shock.front_duration_s, or take these intervals from monte_carlo of results.json.</source>
+        <translation>%M1: Monte Carlo ger U = %1, fortplantningslagen bara %2, för en front av godtycklig varaktighet upp till 100 ns; så är det för %3 av %4 värden och rader. Ingen har angett hur länge fronten varar: ange shock.front_duration_s, eller ta dessa intervall från monte_carlo i results.json.</translation>
+    </message>
+    <message>
+        <source>%M1: Monte Carlo gives U = %1, the law of propagation %2. The law gives more than is needed for %3 of %4 values and rows: what is stated is safe, Monte Carlo would state less.</source>
+        <translation>%M1: Monte Carlo ger U = %1, fortplantningslagen %2. Lagen ger mer än vad som behövs för %3 av %4 värden och rader: det som anges är på den säkra sidan, Monte Carlo skulle ange mindre.</translation>
+    </message>
+    <message>
+        <source>%M1: %1 refits of simulated records are %2 times as uncertain as the model&apos;s covariance has it, and %3 of that u apart: the stated uncertainties of the model&apos;s values do not hold. Choose a lower order, or record with less noise.</source>
+        <translation>%M1: %1 nya anpassningar till simulerade registreringar är %2 gånger så osäkra som modellens kovarians anger, och skiljer sig med %3 av detta u: de angivna osäkerheterna för modellens värden håller inte. Välj en lägre ordning eller spela in med mindre brus.</translation>
+    </message>
+    <message>
+        <source>attenuation along the tube</source>
+        <translation>dämpning längs röret</translation>
+    </message>
+    <message>
+        <source>noise of the level</source>
+        <translation>nivåns brus</translation>
+    </message>
+    <message>
+        <source>scatter of the shots</source>
+        <translation>skottens spridning</translation>
+    </message>
+    <message>
+        <source>scatter of the velocity</source>
+        <translation>hastighetens spridning</translation>
+    </message>
+    <message>
+        <source>response of the measuring chain</source>
+        <translation>mätkedjans frekvenssvar</translation>
+    </message>
+    <message>
+        <source>certificate of the reference transducer</source>
+        <translation>referensgivarens bevis</translation>
+    </message>
+    <message>
+        <source>%1 % of the variance of the sensitivity come from one source, %M1: to know it better is what makes the uncertainty smaller.</source>
+        <translation>%1 % av känslighetens varians kommer från en källa, %M1: att känna den bättre är vad som gör osäkerheten mindre.</translation>
+    </message>
 </context>
 <context>
     <name>dyncal::ArrivalPanel</name>
@@ -11895,6 +11947,22 @@ steget</translation>
     <message>
         <source>Attenuation, at most</source>
         <translation>Dämpning, högst</translation>
+    </message>
+    <message>
+        <source>Duration of the front</source>
+        <translation>Frontens varaktighet</translation>
+    </message>
+    <message>
+        <source>Change the duration of the front</source>
+        <translation>Ändra frontens varaktighet</translation>
+    </message>
+    <message>
+        <source>not stated</source>
+        <translation>inte angiven</translation>
+    </message>
+    <message>
+        <source>u (duration of the front)</source>
+        <translation>u (frontens varaktighet)</translation>
     </message>
 </context>
 <context>

@@ -6,7 +6,7 @@
 #include "core/base/calendar_date.h"
 #include "core/base/rounding.h"
 #include "core/certificate/certificate_words.h"
-#include "core/certificate/quantity_words.h"
+#include "core/uncertainty/quantity_words.h"
 #include "core/pipeline/calibration_kind.h"
 
 #include <algorithm>

@@ -4,6 +4,7 @@
 #pragma once
 
 #include "core/base/constants.h"
+#include "core/base/contradiction.h"
 #include "core/base/finding.h"
 #include "core/base/index.h"
 #include "core/base/message.h"
@@ -14,9 +15,6 @@
 
 namespace dyncal {
 
-/// Ways that differ by more than this many combined standard uncertainties contradict each other:
-/// by chance in 1 of 3000 comparisons of normal errors; a fault of 4.9 is found in 90 %.
-inline constexpr double kContradiction = 3.6;
 inline constexpr double kPowerMargin = 1.2816; ///< 90 % point of the normal distribution
 
 enum class Compared {

@@ -4,6 +4,7 @@
 #include "core/monte_carlo/chain_findings.h"
 
 #include "core/base/number_text.h"
+#include "core/uncertainty/quantity_words.h"
 
 #include <algorithm>
 #include <cmath>
@@ -20,7 +21,7 @@ constexpr const char *kUnknownFront = "front_unknown";
 /// A value whose U the two propagations give differently.
 struct DifferentU
 {
-    std::string name;
+    Message name;
     std::string byTrials;
     std::string byGum;
     double ratio = 1.0; ///< of the first to the second
@@ -49,8 +50,8 @@ struct Differences
     Index compared = 0;
 
     /// `scale`, `unit`: what U is told in.
-    void compare(const std::string &name, double scale, const char *unit,
-        const DrawnQuantity &drawn, const GumValidation &gum)
+    void compare(const Message &name, double scale, const char *unit, const DrawnQuantity &drawn,
+        const GumValidation &gum)
     {
         ++compared;
         const int size = sizeOfGum(gum, drawn);
@@ -63,9 +64,10 @@ struct Differences
     }
 };
 
-std::string atFrequency(const char *of, double frequency_Hz)
+Message atFrequency(const char *of, double frequency_Hz)
 {
-    return std::string(of) + " at " + numberText(frequency_Hz, 4) + " Hz";
+    return {DYNCAL_TEXT("core", "%M1 at %1"), {numberWithUnit(frequency_Hz, "Hz", 4)},
+        {valueWords(of)}};
 }
 
 void compareRows(const std::vector<DrawnRow> &rows, Differences &differences)
@@ -77,7 +79,7 @@ void compareRows(const std::vector<DrawnRow> &rows, Differences &differences)
                 100.0 / std::abs(0.5 * (row.gumMagnitude.low + row.gumMagnitude.high)), "%",
                 row.magnitude, row.gumMagnitude);
         if (row.withPhase)
-            differences.compare(atFrequency("phase", row.frequency_Hz), kDegrees, "\xC2\xB0",
+            differences.compare(atFrequency("phase_rad", row.frequency_Hz), kDegrees, "\xC2\xB0",
                 row.phase, row.gumPhase);
     }
 }
@@ -88,8 +90,9 @@ Finding differentFinding(
     return {.id = "UNC-003",
         .severity = severity,
         .message = {text,
-            {values.worst->name, values.worst->byTrials, values.worst->byGum,
-                std::to_string(values.count), std::to_string(compared)}},
+            {values.worst->byTrials, values.worst->byGum, std::to_string(values.count),
+                std::to_string(compared)},
+            {values.worst->name}},
         .value = 100.0 * (values.worst->ratio - 1.0),
         .limit = 100.0 * kExpandedDiffers};
 }
@@ -98,14 +101,14 @@ Finding tooSmallFinding(const DifferentUs &values, Index compared)
 {
     return differentFinding(values, compared, Severity::Caution,
         DYNCAL_TEXT("core",
-            "%1: Monte Carlo gives U = %2, the law of propagation only %3: use Monte Carlo. The law gives too little for %4 of %5 values and rows; their intervals by Monte Carlo are in monte_carlo of results.json."));
+            "%M1: Monte Carlo gives U = %1, the law of propagation only %2: use Monte Carlo. The law gives too little for %3 of %4 values and rows; their intervals by Monte Carlo are in monte_carlo of results.json."));
 }
 
 Finding ofFrontFinding(const DifferentUs &values, Index compared)
 {
     Finding finding = differentFinding(values, compared, Severity::Info,
         DYNCAL_TEXT("core",
-            "%1: Monte Carlo gives U = %2, the law of propagation only %3, for a front of any duration up to 100 ns; it is so for %4 of %5 values and rows. Nobody has stated how long the front lasts: state shock.front_duration_s, or take these intervals from monte_carlo of results.json."));
+            "%M1: Monte Carlo gives U = %1, the law of propagation only %2, for a front of any duration up to 100 ns; it is so for %3 of %4 values and rows. Nobody has stated how long the front lasts: state shock.front_duration_s, or take these intervals from monte_carlo of results.json."));
     finding.causes = {FindingCause::Front};
     return finding;
 }
@@ -114,7 +117,7 @@ Finding tooLargeFinding(const DifferentUs &values, Index compared)
 {
     return differentFinding(values, compared, Severity::Info,
         DYNCAL_TEXT("core",
-            "%1: Monte Carlo gives U = %2, the law of propagation %3. The law gives more than is needed for %4 of %5 values and rows: what is stated is safe, Monte Carlo would state less."));
+            "%M1: Monte Carlo gives U = %1, the law of propagation %2. The law gives more than is needed for %3 of %4 values and rows: what is stated is safe, Monte Carlo would state less."));
 }
 
 /// How far apart both are, whichever way: by spread, or by place in units of the spread.
@@ -144,9 +147,10 @@ Finding disagreeingRefits(const RefitCheck &check, const RefittedValue &worst)
         .severity = Severity::Caution,
         .message
         = {DYNCAL_TEXT("core",
-               "%1 of %2 refits of simulated records is %3 times as uncertain as the model's covariance has it, and %4 of that u apart: the stated uncertainties of the model's values do not hold. Choose a lower order, or record with less noise."),
-            {worst.of, std::to_string(check.refits), numberText(ratio, kDigitsOfU),
-                numberText(worst.shift / worst.u_draws, kDigitsOfU)}},
+               "%M1: %1 refits of simulated records are %2 times as uncertain as the model's covariance has it, and %3 of that u apart: the stated uncertainties of the model's values do not hold. Choose a lower order, or record with less noise."),
+            {std::to_string(check.refits), numberText(ratio, kDigitsOfU),
+                numberText(worst.shift / worst.u_draws, kDigitsOfU)},
+            {valueWords(worst.of)}},
         .value = ratio,
         .limit = 1.0};
 }
@@ -171,7 +175,8 @@ Findings judgeChain(const std::vector<DrawnValue> &values, const std::vector<Dra
 {
     Differences differences;
     for (const DrawnValue &one : values)
-        differences.compare(one.of, 100.0 / std::abs(one.value), "%", one.drawn, one.gum);
+        differences.compare(
+            valueWords(one.of), 100.0 / std::abs(one.value), "%", one.drawn, one.gum);
     compareRows(rows, differences);
     compareRows(rowsAtMarks, differences);
     Findings findings;

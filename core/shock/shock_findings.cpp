@@ -4,6 +4,7 @@
 #include "core/shock/shock_findings.h"
 
 #include "core/base/constants.h"
+#include "core/base/contradiction.h"
 #include "core/base/distributions.h"
 #include "core/base/number_text.h"
 #include "core/shock/pressure_units.h"
@@ -157,7 +158,6 @@ void judgeBesides(ShockWork &work, const TypedBesides &found)
 /// Of two readings with that u each, or of one with what is assumed where none is stated.
 double largestDifference(double u, double least)
 {
-    constexpr double kContradiction = 3.6; // as between two ways to one quantity
     return std::max(least, u > 0.0 ? kContradiction * std::sqrt(2.0) * u : 0.0);
 }
 
@@ -323,9 +323,24 @@ void judgeDriverPressure(ShockWork &work, double computed_Pa)
     const double recorded_Pa = work.settings.p4_Pa.value_or(work.shot.environment.p4_Pa);
     if (isBeyondTheTube(work, computed_Pa, recorded_Pa))
         return;
+    constexpr double kImpossible = 5.0; // no diaphragm and no opening time loses as much
     const double relative = (recorded_Pa - computed_Pa) / computed_Pa;
     if (!std::isfinite(relative) || std::abs(relative) <= kDriverPressureLimit)
         return;
+    if (recorded_Pa > kImpossible * computed_Pa) {
+        work.findings.push_back({.id = "SHK-006",
+            .severity = Severity::Caution,
+            .shot = work.conditions.shot,
+            .message
+            = {DYNCAL_TEXT("core",
+                   "With p1 = %1 the shock implies a driver pressure of %2, a fifth or less of the %3 that are stated (all absolute): p1 is a gauge pressure or in another unit, or the driver gas is another; the step goes with p1."),
+                {numberWithUnit(work.conditions.states->driven.pressure_Pa, "Pa", 4),
+                    numberWithUnit(computed_Pa, "Pa", 3), numberWithUnit(recorded_Pa, "Pa", 3)}},
+            .value = relative,
+            .limit = kImpossible - 1.0,
+            .causes = {FindingCause::Pressure, FindingCause::Gas}});
+        return;
+    }
     const char *text = relative < 0.0
         ? DYNCAL_TEXT("core",
             "Driver pressure %1 is %2 % below the %3 that the shock implies (both absolute): usual for a finite opening time.")

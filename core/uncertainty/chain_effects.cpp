@@ -3,6 +3,8 @@
 
 #include "core/uncertainty/chain_effects.h"
 
+#include "core/realization/exponentials/front.h"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>

@@ -27,9 +27,6 @@ inline constexpr const char *kChainLevel = "chain_relative";
 
 ChainEffects chainEffects(const std::vector<StatedUncertainty> &stated);
 
-/// Longest rise of a front that nobody stated: a tilt of half a degree over 5.5 mm.
-inline constexpr double kUnstatedFront_s = 100e-9;
-
 /// "front_unknown": by what |S| at one frequency may be larger than stated, relative, because of
 /// such a front, anything from 0 to kUnstatedFront_s: with g = 1/sinc(f T) - 1 at its end, g T^2
 /// over a rectangle of T has the root mean square g / sqrt(5) about the value that is stated, that

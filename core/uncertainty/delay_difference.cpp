@@ -3,8 +3,8 @@
 
 #include "core/uncertainty/delay_difference.h"
 
+#include "core/base/contradiction.h"
 #include "core/base/number_text.h"
-#include "core/consistency/way_comparison.h"
 
 #include <algorithm>
 #include <cmath>

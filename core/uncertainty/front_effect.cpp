@@ -3,7 +3,7 @@
 
 #include "core/uncertainty/front_effect.h"
 
-#include "core/uncertainty/chain_effects.h"
+#include "core/realization/exponentials/front.h"
 
 #include <algorithm>
 #include <cmath>

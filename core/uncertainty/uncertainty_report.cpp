@@ -8,6 +8,7 @@
 #include "core/model_analysis/transducer_steps.h"
 #include "core/uncertainty/model_values.h"
 #include "core/uncertainty/pole_amplitudes.h"
+#include "core/uncertainty/quantity_words.h"
 
 #include <algorithm>
 #include <cmath>
@@ -149,6 +150,20 @@ void judgeMissing(const UncertaintyReport &report, const ResponseResult &respons
                 {}, {reason}}});
 }
 
+/// Of a free decay the resonance is the result.
+void judgeUnknownResonance(const UncertaintyReport &report, Findings &findings)
+{
+    const ReportedValue *f0 = report.find("f0_hz");
+    if (!f0 || f0->u || !std::isfinite(f0->value))
+        return;
+    findings.push_back({.id = "UNC-001",
+        .severity = Severity::Caution,
+        .message
+        = {DYNCAL_TEXT("core",
+               "The resonance at %1 has no uncertainty, because the model was not refined: without it no resonance is a result. Take another order, or leave out of the window what is no free decay."),
+            {numberWithUnit(f0->value, "Hz", 5)}}});
+}
+
 /// One line that is more than 80 % of the variance of the sensitivity.
 void judgeDominant(const UncertaintyReport &report, Findings &findings)
 {
@@ -162,8 +177,8 @@ void judgeDominant(const UncertaintyReport &report, Findings &findings)
                 .shot = line.shot,
                 .message
                 = {DYNCAL_TEXT("core",
-                       "%1 is %2 % of the variance of the sensitivity: to know it better is what makes its uncertainty smaller."),
-                    {line.quantity, numberText(share, 2)}},
+                       "%1 % of the variance of the sensitivity come from one source, %M1: to know it better is what makes the uncertainty smaller."),
+                    {numberText(share, 2)}, {sourceWords(line.quantity)}},
                 .value = share,
                 .limit = kDominant_percent});
     }
@@ -232,6 +247,8 @@ UncertaintyReport reportUncertainty(const ModelInput &input, const SensorModel &
     if (isStepTreatment(input.treatment)) {
         judgeMissing(report, response, shock, report.findings);
         judgeDominant(report, report.findings);
+    } else {
+        judgeUnknownResonance(report, report.findings);
     }
     return report;
 }

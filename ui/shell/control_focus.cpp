@@ -10,12 +10,30 @@
 #include <QScrollArea>
 #include <QTabWidget>
 #include <QTableWidget>
+#include <QTimer>
 
 #include <algorithm>
 
 namespace dyncal {
 
 namespace {
+
+bool isHardlySeen(const QWidget &widget)
+{
+    const QRect seen = widget.visibleRegion().boundingRect();
+    return seen.width() < std::min(widget.width(), scale::kLeastTarget)
+        || seen.height() < std::min(widget.height(), scale::kLeastTarget);
+}
+
+void scrollTo(QWidget &widget)
+{
+    for (QWidget *parent = widget.parentWidget(); parent; parent = parent->parentWidget()) {
+        if (auto *scroll = qobject_cast<QScrollArea *>(parent))
+            scroll->ensureWidgetVisible(&widget);
+        else if (auto *view = qobject_cast<QAbstractItemView *>(parent))
+            view->scrollTo(view->indexAt(widget.mapTo(view->viewport(), widget.rect().center())));
+    }
+}
 
 /// The part of a control that takes the keys: its value rather than its box "auto".
 QWidget *focusableOf(QWidget &control)
@@ -48,25 +66,15 @@ void focus(QWidget &control)
         }
         child = parent;
     }
-    if (QWidget *target = focusableOf(control))
-        target->setFocus(Qt::OtherFocusReason);
-}
-
-bool isHardlySeen(const QWidget &widget)
-{
-    const QRect seen = widget.visibleRegion().boundingRect();
-    return seen.width() < std::min(widget.width(), scale::kLeastTarget)
-        || seen.height() < std::min(widget.height(), scale::kLeastTarget);
-}
-
-void scrollTo(QWidget &widget)
-{
-    for (QWidget *parent = widget.parentWidget(); parent; parent = parent->parentWidget()) {
-        if (auto *scroll = qobject_cast<QScrollArea *>(parent))
-            scroll->ensureWidgetVisible(&widget);
-        else if (auto *view = qobject_cast<QAbstractItemView *>(parent))
-            view->scrollTo(view->indexAt(widget.mapTo(view->viewport(), widget.rect().center())));
-    }
+    QWidget *target = focusableOf(control);
+    if (!target)
+        return;
+    target->setFocus(Qt::OtherFocusReason);
+    // A page that was never shown is laid out behind this event, and what was in view moves.
+    QTimer::singleShot(0, target, [target] {
+        if (target->hasFocus() && isHardlySeen(*target))
+            scrollTo(*target);
+    });
 }
 
 } // namespace

@@ -6,7 +6,7 @@
 #include "ui/session/auto_save.h"
 #include "ui/session/page_standing.h"
 #include "ui/session/session.h"
-#include "ui/shell/control_tips.h"
+#include "ui/shell/tips/control_tips.h"
 #include "ui/shell/files/file_actions.h"
 #include "ui/shell/preferences/language.h"
 #include "ui/shell/preferences/preferences.h"

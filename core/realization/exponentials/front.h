@@ -16,6 +16,10 @@ struct FrontDuration
     double u_s = 0.0;
 };
 
+/// Longest rise of a front that nobody stated: a tilt of half a degree over 5.5 mm. Uncertainties
+/// allow for it; a longer one is told.
+inline constexpr double kUnstatedFront_s = 100e-9;
+
 /// What a front that rises evenly over `duration_s` makes of e^(s t), t from its middle on:
 /// sinh(s T/2)/(s T/2), sinc(f T) at s = jw (docs/method/front.md). 1 without a duration.
 std::complex<double> frontFactor(double duration_s, std::complex<double> s);

@@ -15,12 +15,23 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 namespace dyncal {
 namespace {
 
-constexpr double kPeriods = 0.35;
 constexpr double kProbability = 1e-4;
+
+/// Periods of the main resonance that the shorter fit leaves out. A front is short, and a hammer's
+/// contact lasts; of a decay the longest is taken that leaves enough of it.
+double skippedPeriods(const Pole &main, bool isDecay)
+{
+    constexpr double kOfStep = 0.35;
+    constexpr double kOfDecay = 2.0;
+    constexpr double kTimeConstants = 0.5;
+    const double timeConstant = 1.0 / (2.0 * std::numbers::pi * main.dampingRatio); // in periods
+    return isDecay ? std::clamp(kTimeConstants * timeConstant, kOfStep, kOfDecay) : kOfStep;
+}
 
 std::optional<Refinement> fitBehind(
     const ModelInput &input, const SensorModel &model, double skipped_s, const JobControl &control)
@@ -31,7 +42,8 @@ std::optional<Refinement> fitBehind(
         if (record.used.empty())
             return std::nullopt;
     }
-    auto fit = refinePoles(records, model.draft.poles_rad_s, true, control);
+    auto fit
+        = refinePoles(records, model.draft.poles_rad_s, isStepTreatment(input.treatment), control);
     if (fit)
         allowForColour(records, noiseBeforeStart(input), *fit);
     return fit;
@@ -56,8 +68,7 @@ double differenceSquared(const Refinement &all, const Refinement &behind, Index 
 
 bool canCompare(const ModelInput &input, const SensorModel &model)
 {
-    return model.draft.refinement && !model.secondOrder && !(input.front.duration_s > 0.0)
-        && isStepTreatment(input.treatment);
+    return model.draft.refinement && !model.secondOrder && !(input.front.duration_s > 0.0);
 }
 
 bool matters(const PoleFigures &now, const Pole &before)
@@ -66,15 +77,19 @@ bool matters(const PoleFigures &now, const Pole &before)
         || std::abs(now.dampingRatio - before.dampingRatio) > before.u_dampingRatio;
 }
 
-Finding earlyFinding(const PoleFigures &now, const Pole &before, double skipped_s, double statistic)
+Finding earlyFinding(
+    const PoleFigures &now, const Pole &before, double skipped_s, double statistic, bool isDecay)
 {
     const auto percent
         = [](double value, double of) { return numberText(100.0 * (value / of - 1.0), 2); };
-    return {.id = "MOD-017",
+    const char *text = isDecay
+        ? DYNCAL_TEXT("core",
+            "Without the first %1 of the records the main resonance has %2 % of frequency and %3 % of damping more, beyond what noise allows: the excitation lasts into them, as a hammer's contact does (leave that stretch out), or a faster part is missing in the model.")
+        : DYNCAL_TEXT("core",
+            "Without the first %1 of the records the main resonance has %2 % of frequency and %3 % of damping more, beyond what noise allows: the pressure does not rise at once (state the duration of the front), or a faster part is missing in the model.");
+    return {.id = isDecay ? "MOD-020" : "MOD-017",
         .severity = Severity::Caution,
-        .message
-        = {DYNCAL_TEXT("core",
-               "Without the first %1 of the records the main resonance has %2 % of frequency and %3 % of damping more, beyond what noise allows: the pressure does not rise at once (state the duration of the front), or a faster part is missing in the model."),
+        .message = {text,
             {numberWithUnit(skipped_s, "s", 3), percent(now.frequency_Hz, before.frequency_Hz),
                 percent(now.dampingRatio, before.dampingRatio)}},
         .value = statistic,
@@ -99,7 +114,8 @@ Findings judgeEarlySamples(const ModelInput &input, const SensorModel &model,
     const Pole *main = mainPole(poles, model.series);
     if (!main || !canCompare(input, model))
         return {};
-    const double skipped_s = kPeriods / main->frequency_Hz;
+    const bool isDecay = !isStepTreatment(input.treatment);
+    const double skipped_s = skippedPeriods(*main, isDecay) / main->frequency_Hz;
     const auto behind = fitBehind(input, model, skipped_s, control);
     if (!behind)
         return {};
@@ -109,7 +125,7 @@ Findings judgeEarlySamples(const ModelInput &input, const SensorModel &model,
         = differenceSquared(*model.draft.refinement, *behind, at, model.draft.noise.order == 0);
     if (!matters(now, *main) || !(chiSquareSurvival(statistic, 2.0) < kProbability))
         return {};
-    return {earlyFinding(now, *main, skipped_s, statistic)};
+    return {earlyFinding(now, *main, skipped_s, statistic, isDecay)};
 }
 
 } // namespace dyncal

@@ -24,6 +24,8 @@ std::vector<SampleRange> usedBehind(const RefinementRecord &record, double skipp
 ///     d^T (V_short - V_all)^-1 d = chi square of 2 degrees of freedom,
 /// with V_short alone in coloured noise, where least squares is not the best estimate. Told at a
 /// probability of 1e-4, where f0 or zeta moves by its u at least. `poles` are the assessed ones.
+/// MOD-020 is the same of a free decay, without its first two periods or half its time constant: a
+/// hammer's contact is no part of the decay.
 /// Nothing without refinement or an oscillating pole, with a stated front, or where the shorter fit
 /// does not converge.
 Findings judgeEarlySamples(const ModelInput &input, const SensorModel &model,

@@ -10,6 +10,7 @@
 #include "core/realization/model/model_findings.h"
 #include "core/realization/model/nuisance_results.h"
 #include "core/realization/model/second_order_beside.h"
+#include "core/realization/model/unstated_front.h"
 #include "core/realization/nuisance/nuisance_modes.h"
 #include "core/realization/refinement/draft_fit.h"
 #include "core/realization/refinement/model_draft.h"
@@ -60,7 +61,9 @@ Result<ModelAssessment> assessModel(const ModelInput &input, const SensorModel &
         assessment.nuisanceEffect = effectOfNuisance(input, fitted, assessment.poles, control);
     if (settings.refine && !assessment.secondOrder)
         assessment.secondOrder = fitSecondOrderBeside(input, fitted, control);
-    const Findings early = judgeEarlySamples(input, fitted, assessment.poles, control);
+    const Findings front = judgeUnstatedFront(input, fitted, assessment.poles, control);
+    const Findings early
+        = front.empty() ? judgeEarlySamples(input, fitted, assessment.poles, control) : front;
     // A cancelled fit must not look like "nothing found".
     if (control.stopRequested())
         return fail(ErrorKind::Cancelled, {});

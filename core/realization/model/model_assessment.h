@@ -72,7 +72,7 @@ struct ModelAssessment
     std::optional<Homogeneity> homogeneity; ///< empty with fewer than two shots, or where no
                                             ///< pole of them could be compared
     std::optional<SecondOrderModel> secondOrder; ///< the 2nd-order sensor fitted beside the model
-    Findings findings; ///< MOD-010, MOD-011, MOD-017; listed after the model's
+    Findings findings; ///< MOD-010, MOD-011, MOD-017, MOD-019, MOD-020; listed after the model's
 };
 
 /// The poles as assessed; if `assessment` is null as fitted, with unknown uncertainties.

@@ -56,7 +56,7 @@ private slots:
         const QString words = QString::fromStdString(english(found[0].message));
         QVERIFY2(
             words.startsWith(
-                "rise_time_s: Monte Carlo gives U = 2.9 %, the law of propagation only 2.4 %: use Monte Carlo."),
+                "Rise time, 10 % to 90 %: Monte Carlo gives U = 2.9 %, the law of propagation only 2.4 %: use Monte Carlo."),
             qPrintable(words));
         QVERIFY2(words.contains("1 of 2 values"), qPrintable(words));
         QVERIFY(std::abs(*found[0].value - 20.8333) < 1e-3);
@@ -68,7 +68,7 @@ private slots:
         const Findings found = judged({value("f0_hz", 18.0, 20.0), value("q", 10.0, 20.0)});
         QCOMPARE(std::ssize(found), Index(1));
         QCOMPARE(found[0].severity, Severity::Info);
-        QVERIFY(english(found[0].message).starts_with("q: Monte Carlo gives U = 1 %"));
+        QVERIFY(english(found[0].message).starts_with("Quality factor: Monte Carlo gives U = 1 %"));
         QVERIFY(english(found[0].message).find("2 of 2 values") != std::string::npos);
     }
 
@@ -80,10 +80,10 @@ private slots:
         const Findings found = judged({row, value("rise_time_s", 40.0, 24.0)});
         QCOMPARE(std::ssize(found), Index(2));
         QCOMPARE(found[0].severity, Severity::Caution);
-        QVERIFY(english(found[0].message).starts_with("rise_time_s"));
+        QVERIFY(english(found[0].message).starts_with("Rise time"));
         QCOMPARE(found[1].severity, Severity::Info);
-        QVERIFY(
-            english(found[1].message).starts_with("minus_3_db_hz: Monte Carlo gives U = 2.9 %"));
+        QVERIFY(english(found[1].message)
+                    .starts_with("Magnitude above -3 dB up to: Monte Carlo gives U = 2.9 %"));
         QVERIFY(found[1].causes == std::vector{FindingCause::Front});
         row.gum.largest = "noise";
         QCOMPARE(judged({row})[0].severity, Severity::Caution);
@@ -118,12 +118,13 @@ private slots:
         QCOMPARE(found[0].id, std::string("UNC-006"));
         QCOMPARE(found[0].severity, Severity::Caution);
         const QString words = QString::fromStdString(english(found[0].message));
-        QVERIFY2(words.startsWith("rise_time_s of 50 refits of simulated records is 1 times as "
-                                  "uncertain as the model's covariance has it, and 0.9 of that u"),
+        QVERIFY2(words.startsWith(
+                     "Rise time, 10 % to 90 %: 50 refits of simulated records are 1 times as "
+                     "uncertain as the model's covariance has it, and 0.9 of that u"),
             qPrintable(words));
         RefitCheck spread = refits();
         spread.values[2].agrees = true;
-        QVERIFY(english(judgeRefits(spread)[0].message).starts_with("q of 50 refits"));
+        QVERIFY(english(judgeRefits(spread)[0].message).starts_with("Quality factor: 50 refits"));
         QCOMPARE(*judgeRefits(spread)[0].value, 2.0);
     }
 
@@ -149,7 +150,7 @@ private slots:
     {
         RefitCheck check = refits();
         check.values[0] = {"f0_hz", kUnknown, 1.0, kUnknown, false};
-        QVERIFY(english(judgeRefits(check)[0].message).starts_with("f0_hz"));
+        QVERIFY(english(judgeRefits(check)[0].message).starts_with("Undamped natural frequency"));
     }
 
     void rows_areToldByTheirFrequency()
@@ -169,7 +170,8 @@ private slots:
         const Findings found = judgeChain({}, {first}, {row});
         QCOMPARE(std::ssize(found), Index(1));
         const QString words = QString::fromStdString(english(found[0].message));
-        QVERIFY2(words.startsWith("phase at 2500000 Hz: Monte Carlo gives U = 1.1 °"),
+        QVERIFY2(words.startsWith(
+                     "Phase of the frequency response at 2.5 MHz: Monte Carlo gives U = 1.1 °"),
             qPrintable(words));
         QVERIFY(words.contains("2 of 2"));
     }

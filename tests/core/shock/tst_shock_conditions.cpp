@@ -147,6 +147,7 @@ private slots:
     void celsius_blocksWithSHK004();
     void distanceUncertainty_large_cautionWithFactor();
     void driverPressure_farFromComputed_info();
+    void pressureOfAGauge_caution();
     void driver_computed_region4();
     void disabled_nothingDetermined();
     void excludedShots_areLeftOutAndNumbersKept();
@@ -433,6 +434,24 @@ void TestShockConditions::driverPressure_farFromComputed_info()
     set.shots[0].environment.p4_Pa = 0.670e6;
     const auto near = estimateShockConditions(set, {}, typedVelocity(512.8));
     QVERIFY(findingWithId(near->findings, "SHK-006") == nullptr);
+}
+
+/// p1 of 150 Pa read from a gauge: every pressure behind it is a share of the true one.
+void TestShockConditions::pressureOfAGauge_caution()
+{
+    CaptureSet set = thesisSet();
+    set.shots[0].environment.p4_Pa = 0.670e6;
+    set.shots[0].environment.p1_Pa = 150.0;
+    const auto gauge = estimateShockConditions(set, {}, typedVelocity(512.8));
+    const Finding *finding = findingWithId(gauge->findings, "SHK-006");
+    QVERIFY(finding != nullptr);
+    QCOMPARE(finding->severity, Severity::Caution);
+    const std::vector causes{FindingCause::Pressure, FindingCause::Gas};
+    QCOMPARE(finding->causes, causes);
+    set.shots[0].environment.p1_Pa = thesisSet().shots[0].environment.p1_Pa;
+    set.shots[0].environment.p4_Pa = 4.0 * 0.685e6;
+    const auto lossy = estimateShockConditions(set, {}, typedVelocity(512.8));
+    QCOMPARE(findingWithId(lossy->findings, "SHK-006")->severity, Severity::Info);
 }
 
 void TestShockConditions::driver_computed_region4()

@@ -97,13 +97,17 @@ private slots:
     void cancelled_leavesNothingHalf()
     {
         const ExampleBench bench;
+        bench.waitDrawing();
+        QElapsedTimer drawing;
+        drawing.start();
         bench.waitComputed();
+        const double whole_ms = static_cast<double>(drawing.elapsed());
         const auto whole = bench.session().results().chainMonteCarlo;
         std::vector<qint64> taken_ms;
         for (int i = 0; i < kCancels; ++i) {
             bench.drawAgain(100 + i);
             bench.waitDrawing();
-            QTest::qWait(300 + 200 * i); // at several places of it
+            QTest::qWait(static_cast<int>(0.6 * whole_ms * i / kCancels)); // at several places
             QVERIFY(bench.isDrawing());
             QElapsedTimer taken;
             taken.start();

@@ -5,6 +5,7 @@
 
 #include <QApplication>
 #include <QPainter>
+#include <QPixmapCache>
 #include <QStyleFactory>
 #include <QStyleOption>
 #include <QToolTip>
@@ -78,6 +79,11 @@ void ThemeStyle::outline(const QStyleOption &option, QPainter &painter) const
 
 void useTheme(ThemeKind kind)
 {
+    // The style keeps a picture of every frame, button and arrow in every size they ever had, 10
+    // MiB and as much beside them: a window that is resized all day would seem to leak.
+    constexpr int kKeptPictures_KiB = 2048;
+    QPixmapCache::setCacheLimit(kKeptPictures_KiB);
+    QPixmapCache::clear(); // those of another theme are not drawn again
     const Theme theme = themeOf(kind);
     QApplication::setStyle(new ThemeStyle(theme));
     QApplication::setPalette(theme.palette);

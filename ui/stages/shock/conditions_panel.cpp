@@ -17,10 +17,17 @@ namespace {
 
 const ShownUnit kKilopascal{"kPa", 1e3};
 const ShownUnit kKelvin{"K", 1.0};
+const ShownUnit kNanoseconds{"ns", 1e-9};
 
 std::optional<double> recorded(double value)
 {
     return std::isfinite(value) ? std::optional(value) : std::nullopt;
+}
+
+/// Of a time that nobody stated nothing stands in its field.
+std::optional<double> stated(double time_s)
+{
+    return time_s > 0.0 ? std::optional(time_s) : std::nullopt;
 }
 
 } // namespace
@@ -93,13 +100,25 @@ void ConditionsPanel::buildTubeControls()
     m_diameter = addShockNumber(m_session, m_form, tr("Inner diameter"), "innerDiameter",
         new OptionalEdit(kMillimetre, 1e-4, 100.0), &ShockSettings::innerDiameter_m);
     addAttenuation();
-    m_guard = m_form.add(tr("Guard before the plateau's end"), "plateauGuard",
-        new OptionalEdit(kMicroseconds, 0.0, 1.0));
+    m_front = addTime(tr("Duration of the front"), "frontDuration", kNanoseconds,
+        tr("Change the duration of the front"), &ShockSettings::frontDuration_s);
+    m_front->setEmptyText(tr("not stated"));
+    m_u_front = addTime(tr("u (duration of the front)"), "frontDurationU", kNanoseconds,
+        tr("Change the duration of the front"), &ShockSettings::u_frontDuration_s);
+    m_guard = addTime(tr("Guard before the plateau's end"), "plateauGuard", kMicroseconds,
+        tr("Change the guard"), &ShockSettings::plateauGuard_s);
     m_guard->setEmptyText(tr("none"));
-    connect(m_guard, &OptionalEdit::edited, this, [this](const std::optional<double> &guard_s) {
-        changeRecipe(m_session, tr("Change the guard"),
-            [&](Recipe &r) { r.shock.plateauGuard_s = guard_s.value_or(0.0); });
+}
+
+OptionalEdit *ConditionsPanel::addTime(const QString &label, const QString &objectName,
+    const ShownUnit &unit, const QString &change, double ShockSettings::*member)
+{
+    auto *edit = m_form.add(label, objectName, new OptionalEdit(unit, 0.0, 1.0));
+    connect(edit, &OptionalEdit::edited, this, [=, this](const std::optional<double> &typed_s) {
+        changeRecipe(
+            m_session, change, [&](Recipe &r) { r.shock.*member = typed_s.value_or(0.0); });
     });
+    return edit;
 }
 
 void ConditionsPanel::addAttenuation()
@@ -146,8 +165,9 @@ void ConditionsPanel::show(const Shot *recording, const ShockConditions *shot)
     m_drivenLength->set(settings.drivenLength_m, set.tubeNumber("driven_length_m"));
     m_driverLength->set(settings.driverLength_m, set.tubeNumber("driver_length_m"));
     m_diameter->set(settings.innerDiameter_m, set.tubeNumber("inner_diameter_m"));
-    const bool guarded = settings.plateauGuard_s > 0.0;
-    m_guard->set(guarded ? std::optional(settings.plateauGuard_s) : std::nullopt);
+    m_front->set(stated(settings.frontDuration_s));
+    m_u_front->set(stated(settings.u_frontDuration_s));
+    m_guard->set(stated(settings.plateauGuard_s));
 }
 
 } // namespace dyncal

@@ -34,6 +34,9 @@ private:
     void buildGasControls();
     void buildTubeControls();
     void addAttenuation();
+    /// A time of the recipe's section "shock" of which 0 means "none".
+    OptionalEdit *addTime(const QString &label, const QString &objectName, const ShownUnit &unit,
+        const QString &change, double ShockSettings::*member);
 
     Session &m_session;
     InspectorForm &m_form;
@@ -48,6 +51,8 @@ private:
     OptionalEdit *m_drivenLength;
     OptionalEdit *m_driverLength;
     OptionalEdit *m_diameter;
+    OptionalEdit *m_front;
+    OptionalEdit *m_u_front;
     OptionalEdit *m_guard;
     OptionalEdit *m_leastAttenuation = nullptr;
     OptionalEdit *m_largestAttenuation = nullptr;

@@ -113,6 +113,7 @@ private slots:
     void reason_forAGroup_isAskedOnce();
     void shot_isSelectedInTheTable();
     void buttons_areNeverCut();
+    void pageNeverShown_isScrolledToTheField();
 };
 
 void TestFindingsPanel::catalogue_isReadWhole()
@@ -151,6 +152,26 @@ void TestFindingsPanel::catalogue_everyId_isLedToItsPlace()
     QVERIFY2(focused && (focused == control || control->isAncestorOf(focused)),
         qPrintable(QString("%1 has the focus instead of %2")
                        .arg(focused ? focused->objectName() : "nothing", place->control)));
+}
+
+/// A page is laid out anew when it is first shown: what was in view before is below its edge then.
+void TestFindingsPanel::pageNeverShown_isScrolledToTheField()
+{
+    for (const char *id : {"MOD-019", "SHK-019", "MIN-006"}) {
+        const Bench bench;
+        bench.window->resize(1280, 720);
+        bench.show({finding(id, Severity::Caution, 1)});
+        bench.click(QString("show_%1_1").arg(id));
+        QTest::qWait(50);
+        const QWidget *focused = bench.window->focusWidget();
+        QVERIFY(focused);
+        const QRect seen = focused->visibleRegion().boundingRect();
+        QVERIFY2(seen.height() == focused->height(),
+            qPrintable(QString("%1: %2 of %3 pixels")
+                           .arg(focused->objectName())
+                           .arg(seen.height())
+                           .arg(focused->height())));
+    }
 }
 
 void TestFindingsPanel::group_isOneRow_andOpens()

@@ -17,6 +17,7 @@
 #include <QtTest>
 
 #include <cmath>
+#include <numbers>
 
 using namespace dyncal;
 using test::PageBench;
@@ -82,6 +83,7 @@ private slots:
     void sensorAdded_isACopyWithoutItsArrivals();
     void shotExcluded_tablesLeaveItOut();
     void guard_shortensThePlateau();
+    void frontStated_isTakenOut_andEmptiedAgain();
     void swedish_tablesAndTyping();
     void typedArrivals_keepTheOthers();
 };
@@ -262,6 +264,39 @@ void TestShockInputs::guard_shortensThePlateau()
     QCOMPARE(bench.recipe().shock.plateauGuard_s, 0.0);
     QCOMPARE(*shotOf(bench, 3).plateau_s, before_s);
     QCOMPARE(bench.control<QLineEdit>("plateauGuardValue")->placeholderText(), QString("none"));
+}
+
+/// S(f) behind a front is the recorded one over sinc(fT).
+void TestShockInputs::frontStated_isTakenOut_andEmptiedAgain()
+{
+    Bench &bench = fresh();
+    const auto *field = bench.control<QLineEdit>("frontDurationValue");
+    QCOMPARE(field->placeholderText(), QString("not stated"));
+    const ResponseResult before = *bench.session.results().response;
+    typeAndWait(bench, "frontDurationValue", "0.2 us");
+    typeAndWait(bench, "frontDurationUValue", "20");
+    QCOMPARE(bench.recipe().shock.frontDuration_s, 200e-9);
+    QCOMPARE(bench.recipe().shock.u_frontDuration_s, 20e-9);
+    QCOMPARE(field->text(), QString("200"));
+    const ResponseResult &behind = *bench.session.results().response;
+    Index compared = 0;
+    for (Index row = 0; row < before.magnitude.size(); ++row) {
+        // Nearer the end of the band noise makes the mean of the shots another.
+        if (!std::isfinite(before.magnitude[row]) || before.frequency_Hz[row] > 400e3)
+            continue;
+        const double x = std::numbers::pi * before.frequency_Hz[row] * 200e-9;
+        const double ratio = behind.magnitude[row] / before.magnitude[row] * std::sin(x) / x;
+        QVERIFY2(std::abs(ratio - 1.0) < 1e-3,
+            qPrintable(QString("%1 at %2 Hz").arg(ratio).arg(before.frequency_Hz[row])));
+        ++compared;
+    }
+    QVERIFY(compared > 10);
+    typeAndWait(bench, "frontDurationValue", " ");
+    typeAndWait(bench, "frontDurationUValue", " ");
+    QVERIFY(field->text().isEmpty());
+    QCOMPARE(bench.recipe().shock.frontDuration_s, 0.0);
+    undo(bench);
+    QCOMPARE(bench.recipe().shock.u_frontDuration_s, 20e-9);
 }
 
 void TestShockInputs::swedish_tablesAndTyping()

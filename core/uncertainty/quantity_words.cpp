@@ -1,9 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Dyncal authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include "core/certificate/quantity_words.h"
-
-#include "core/certificate/certificate_words.h"
+#include "core/uncertainty/quantity_words.h"
 
 #include <array>
 
@@ -51,6 +49,13 @@ constexpr std::array kSources{
     Words{"mounting_relative", DYNCAL_TEXT("core", "mounting")},
     Words{"clock_relative", DYNCAL_TEXT("core", "sample clock")},
     Words{"reference_gain_relative", DYNCAL_TEXT("core", "gain of the reference's chain")},
+    Words{"attenuation_per_m", DYNCAL_TEXT("core", "attenuation along the tube")},
+    Words{"level_relative", DYNCAL_TEXT("core", "noise of the level")},
+    Words{"scatter_of_shots", DYNCAL_TEXT("core", "scatter of the shots")},
+    Words{"velocity_scatter", DYNCAL_TEXT("core", "scatter of the velocity")},
+    Words{"chain_relative", DYNCAL_TEXT("core", "response of the measuring chain")},
+    Words{"reference_sensitivity_relative",
+        DYNCAL_TEXT("core", "certificate of the reference transducer")},
 };
 
 template <std::size_t n>
@@ -67,7 +72,7 @@ const char *textOf(const std::array<Words, n> &all, std::string_view name)
 Message valueWords(std::string_view of)
 {
     const char *text = textOf(kValues, of);
-    return text ? Message{text, {}} : verbatim(std::string(of));
+    return text ? Message{text, {}} : Message{"%1", {std::string(of)}};
 }
 
 Message sourceWords(const std::string &quantity)
@@ -75,7 +80,7 @@ Message sourceWords(const std::string &quantity)
     const std::size_t place = quantity.find('[');
     const char *text = textOf(kSources, std::string_view(quantity).substr(0, place));
     if (!text)
-        return verbatim(quantity);
+        return {"%1", {quantity}};
     if (place == quantity.npos)
         return {text, {}};
     const std::size_t end = quantity.rfind(']');

@@ -10,11 +10,11 @@
 
 namespace dyncal {
 
-/// What a certificate calls a reported value: "Damping ratio" for "damping_ratio"; its name where
-/// it has no words. Internal to core/certificate.
+/// What sentences and certificate call a reported value: "Damping ratio" for "damping_ratio"; its
+/// name where it has no words.
 Message valueWords(std::string_view of);
 
-/// What it calls a quantity that the budget states: "initial pressure" for "p1_pa", with its place
+/// What they call a quantity of the budget: "initial pressure" for "p1_pa", with its place
 /// for "distance_m[Side 1]"; its name where it has no words.
 Message sourceWords(const std::string &quantity);
 
