@@ -5,10 +5,10 @@
 
 #include "core/certificate/certificate_sensitivity.h"
 #include "core/certificate/certificate_words.h"
-#include "core/uncertainty/quantity_words.h"
 #include "core/certificate/result_quantity.h"
 #include "core/model_analysis/stated_characteristics.h"
 #include "core/pipeline/calibration_kind.h"
+#include "core/uncertainty/quantity_words.h"
 
 #include <algorithm>
 #include <cmath>

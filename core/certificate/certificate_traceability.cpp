@@ -6,8 +6,8 @@
 #include "core/base/calendar_date.h"
 #include "core/base/rounding.h"
 #include "core/certificate/certificate_words.h"
-#include "core/uncertainty/quantity_words.h"
 #include "core/pipeline/calibration_kind.h"
+#include "core/uncertainty/quantity_words.h"
 
 #include <algorithm>
 #include <string>

@@ -6,10 +6,10 @@
 #include "ui/session/auto_save.h"
 #include "ui/session/page_standing.h"
 #include "ui/session/session.h"
-#include "ui/shell/tips/control_tips.h"
 #include "ui/shell/files/file_actions.h"
 #include "ui/shell/preferences/language.h"
 #include "ui/shell/preferences/preferences.h"
+#include "ui/shell/tips/control_tips.h"
 #include "ui/stages/frame/prompts.h"
 #include "ui/text/plain_text_rule.h"
 

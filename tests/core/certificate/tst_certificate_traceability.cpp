@@ -4,9 +4,9 @@
 // What a certificate says of profile, chain and the references of the budget.
 
 #include "core/certificate/certificate_traceability.h"
-#include "core/uncertainty/quantity_words.h"
 #include "core/certificate/required_fields.h"
 #include "core/project/capability_quantities.h"
+#include "core/uncertainty/quantity_words.h"
 #include "tests/support/test_program.h"
 
 #include <QTest>
