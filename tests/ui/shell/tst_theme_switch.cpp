@@ -11,7 +11,13 @@
 #include "ui/stages/frame/stage_page.h"
 
 #include <QAction>
+#include <QApplication>
+#include <QImage>
+#include <QPainter>
+#include <QStyleOption>
 #include <QtTest>
+
+#include <malloc.h>
 
 #include <map>
 
@@ -48,6 +54,7 @@ private slots:
     void initTestCase();
     void switched_looksLikeStarted_data();
     void switched_looksLikeStarted();
+    void picturesOfTheStyle_areFew();
     void cleanup() { useTheme(ThemeKind::Light); }
 
 private:
@@ -152,6 +159,29 @@ void TestThemeSwitch::switched_looksLikeStarted()
         const double share = otherPixels(switched[page], started[page]);
         QVERIFY2(share < kMostOther, qPrintable(QString("page %1: %2").arg(page).arg(share)));
     }
+}
+
+/// Fusion keeps a picture of every control in every size that it ever had.
+void TestThemeSwitch::picturesOfTheStyle_areFew()
+{
+    constexpr double kMost_MiB = 8.0; // 2 of pictures, and what is beside them
+    useTheme(ThemeKind::Light);
+    const auto inUse_MiB = [] {
+        const struct mallinfo2 all = ::mallinfo2();
+        return static_cast<double>(all.uordblks + all.hblkhd) / (1024.0 * 1024.0);
+    };
+    const double before_MiB = inUse_MiB();
+    QImage picture(1000, 100, QImage::Format_ARGB32_Premultiplied);
+    for (int width = 40; width < 1000; ++width) {
+        QPainter painter(&picture);
+        QStyleOptionComboBox option;
+        option.rect = QRect(0, 0, width, 30);
+        option.state = QStyle::State_Enabled;
+        option.subControls = QStyle::SC_All;
+        QApplication::style()->drawComplexControl(QStyle::CC_ComboBox, &option, &painter);
+    }
+    const double kept_MiB = inUse_MiB() - before_MiB;
+    QVERIFY2(kept_MiB < kMost_MiB, qPrintable(QString::number(kept_MiB)));
 }
 
 DYNCAL_TEST(TestThemeSwitch)
