@@ -10,6 +10,10 @@
 
 namespace dyncal {
 
+/// Letters that a number with its unit may have: a table pasted by mistake is none, and its undo
+/// would be kept.
+inline constexpr int kMostLettersOfNumber = 200;
+
 /// A unit as shown beside a number: SI value = shown value * si.
 struct ShownUnit
 {

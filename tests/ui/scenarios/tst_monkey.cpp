@@ -7,6 +7,8 @@
 #include "tests/ui/scenarios/monkey.h"
 #include "tests/ui/scenarios/scenario_bench.h"
 
+#include <QClipboard>
+
 #include <atomic>
 #include <chrono>
 #include <cmath>
@@ -167,6 +169,7 @@ void TestMonkey::randomActs_breakNothing()
             menu->close(); // or its answer would act on what is opened next
         bench.prompts.dropAnswers(); // nor may one that was never asked for answer for it
         bench.window->session().reset({});
+        QApplication::clipboard()->clear(); // of a plot's numbers up to 16 MiB, which are the user's
         bench.window->resize(1400, 900);
         showEveryPage(bench);
         // Of an empty window whose pages are all drawn empty: what was open differs by round.

@@ -42,6 +42,7 @@ OptionalEdit::OptionalEdit(const ShownUnit &unit, double lowest, double highest,
     layout->addWidget(m_origin);
     layout->addWidget(m_useRecorded);
     m_text->installEventFilter(this);
+    m_text->setMaxLength(kMostLettersOfNumber);
     m_origin->setToolTip(tr("This value is the recording's"));
     m_useRecorded->setText(QStringLiteral("↺"));
     m_origin->hide();

@@ -36,6 +36,7 @@ QuantityEdit::QuantityEdit(
     setStepType(AdaptiveDecimalStepType);
     setAccelerated(true);
     setFocusPolicy(Qt::StrongFocus);
+    lineEdit()->setMaxLength(kMostLettersOfNumber);
     connect(this, &QDoubleSpinBox::valueChanged, this, [this] { emit edited(si()); });
     connect(lineEdit(), &QLineEdit::textEdited, this, [this] {
         hideRefusal(this);
