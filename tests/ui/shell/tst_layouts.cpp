@@ -63,6 +63,8 @@ void waitUntilLaidOut(const MainWindow &window)
     QList<QRect> before;
     QStringList titlesBefore;
     QElapsedTimer waited;
+    constexpr int kTheSame = 2; // times: on a busy machine a plot is drawn again after one look
+    int same = 0;
     for (waited.start(); waited.elapsed() < kPatience_ms;) {
         QTest::qWait(40);
         QList<QRect> now;
@@ -73,7 +75,8 @@ void waitUntilLaidOut(const MainWindow &window)
             now << plot->geometry() << plot->axesRect();
             titles << plot->content().title;
         }
-        if (now == before && titles == titlesBefore)
+        same = now == before && titles == titlesBefore ? same + 1 : 0;
+        if (same == kTheSame)
             return;
         before = now;
         titlesBefore = titles;
