@@ -169,8 +169,8 @@ void TestMonkey::randomActs_breakNothing()
             menu->close(); // or its answer would act on what is opened next
         bench.prompts.dropAnswers(); // nor may one that was never asked for answer for it
         bench.window->session().reset({});
-        QApplication::clipboard()
-            ->clear(); // of a plot's numbers up to 16 MiB, which are the user's
+        // A plot's numbers there are up to 16 MiB, and the user's.
+        QApplication::clipboard()->clear();
         bench.window->resize(1400, 900);
         showEveryPage(bench);
         // Of an empty window whose pages are all drawn empty: what was open differs by round.
