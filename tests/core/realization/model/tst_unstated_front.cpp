@@ -116,6 +116,20 @@ private slots:
             QVERIFY(found(testing::shotsBehindFront(400e3, 0.7, 500e-9, seed, slow)).empty());
     }
 
+    /// 2500 samples to a period: means of twelve look like a front of their own, which is taken
+    /// off.
+    void slowSensor_isAskedByMeans()
+    {
+        const testing::DampedShots fast{0.003, 0.0, 50e6, 12000, 2000};
+        for (std::uint64_t seed = 1; seed <= 3; ++seed) {
+            const Findings one = found(testing::shotsBehindFront(20e3, 0.7, 6e-6, seed, fast));
+            QCOMPARE(one.size(), std::size_t(1));
+            const double told_us = std::stod(one[0].message.arguments[2]);
+            QVERIFY2(std::abs(told_us - 6.0) < 0.2, one[0].message.arguments[2].c_str());
+            QVERIFY(found(testing::shotsBehindFront(20e3, 0.7, 0.0, seed, fast)).empty());
+        }
+    }
+
     void coloured_isStillTold()
     {
         const testing::DampedShots coloured{0.003, 0.9, 50e6, 600, 4000};
