@@ -18,11 +18,6 @@ FrontRange frontRange(const FrontDuration &front)
     return {"front_unknown", 0.0, kUnstatedFront_s, std::sqrt(5.0)};
 }
 
-bool isFrontStated(const FrontDuration &front)
-{
-    return front.duration_s > 0.0 || front.u_s > 0.0;
-}
-
 SensorModel withFront(const SensorModel &model, double from_s, double to_s)
 {
     SensorModel changed;

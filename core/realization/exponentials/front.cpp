@@ -7,6 +7,11 @@
 
 namespace dyncal {
 
+bool isFrontStated(const FrontDuration &front)
+{
+    return front.duration_s > 0.0 || front.u_s > 0.0;
+}
+
 std::complex<double> frontFactor(double duration_s, std::complex<double> s)
 {
     constexpr double kSmall = 1e-3; // the next term of the series is z^4/120

@@ -16,6 +16,8 @@ struct FrontDuration
     double u_s = 0.0;
 };
 
+bool isFrontStated(const FrontDuration &front);
+
 /// Longest rise of a front that nobody stated: a tilt of half a degree over 5.5 mm. Uncertainties
 /// allow for it; a longer one is told.
 inline constexpr double kUnstatedFront_s = 100e-9;

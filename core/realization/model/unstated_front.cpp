@@ -8,6 +8,7 @@
 #include "core/realization/refinement/draft_fit.h"
 #include "core/realization/refinement/fit_residual.h"
 #include "core/realization/second_order/front_fit.h"
+#include "core/signal/level_statistics.h"
 
 #include <algorithm>
 #include <cmath>
@@ -28,13 +29,6 @@ struct Beginning
     double longest_s = 0.0; ///< between two points
     double blocks_s = 0.0; ///< a front that the means over blocks look like, root mean square
 };
-
-/// Means over blocks of `size`; what does not fill the last one is left out.
-Eigen::VectorXd blockMeans(const Eigen::VectorXd &values, Index size)
-{
-    const Index count = values.size() / size;
-    return values.head(count * size).reshaped(size, count).colwise().mean().transpose();
-}
 
 double length_s(const Pole &pole)
 {
@@ -85,9 +79,9 @@ std::optional<Beginning> beginningOf(
             return std::nullopt;
         EarlyRecord record = earlyRecord(early, noise[r], size);
         const auto &modes = model.draft.nuisance[r]; // the tube's, no part of sensor or front
-        record.y = blockMeans(fitResidual(early, {}, modes), size);
+        record.y = meansOf(fitResidual(early, {}, modes), size);
         beginning.ofModel += whitenedSquares(
-            record, blockMeans(fitResidual(early, model.draft.series[r], modes), size));
+            record, meansOf(fitResidual(early, model.draft.series[r], modes), size));
         beginning.points += record.y.size() - record.whitening.size();
         beginning.longest_s = std::max(beginning.longest_s, 1.0 / record.rate_Hz);
         beginning.blocks_s += (std::pow(static_cast<double>(size), 2) - 1.0)
@@ -139,8 +133,7 @@ Finding frontFinding(const FrontFit &fit, double statistic)
 
 bool canHaveUnstatedFront(const ModelInput &input)
 {
-    return isStepTreatment(input.treatment) && !isThesisMode(input)
-        && !(input.front.duration_s > 0.0) && !(input.front.u_s > 0.0);
+    return isStepTreatment(input.treatment) && !isThesisMode(input) && !isFrontStated(input.front);
 }
 
 } // namespace
