@@ -19,8 +19,6 @@
 namespace dyncal {
 namespace {
 
-constexpr double kLeastDamping = 0.75; ///< below it the free poles are known well enough
-
 /// What one record shows at a glance.
 struct Glance
 {
@@ -134,12 +132,11 @@ double whitenedBic(const ModelInput &input, const std::vector<RefinementRecord> 
     return bic + static_cast<double>(description.parameters) * std::log(samples);
 }
 
-/// Whether the fit may stand for these records at all.
-bool isEligible(const SecondOrderFit &fit, const ModelDraft &draft,
-    const std::vector<RefinementRecord> &records)
+/// Whether the fit says anything of these records at all.
+bool isEligible(const SecondOrderFit &fit, const ModelDraft &draft)
 {
     constexpr double kDescribes = 1.2; // residual over noise, where nothing else was refined
-    return fit.sensor.zeta >= kLeastDamping && areWithin(records, fit.refinement.poles_rad_s)
+    return fit.sensor.zeta >= kLeastDamping
         && (draft.refinement || fit.sensor.residualToNoise <= kDescribes);
 }
 
@@ -157,21 +154,26 @@ std::vector<SecondOrderRival> secondOrderRivals(
     std::vector<SecondOrderRival> rivals;
     for (const std::vector<SecondOrderStart> &starts : startsToTry(records, draft)) {
         auto fit = fitSecondOrder(input, records, starts, control);
-        if (!fit || !isEligible(*fit, draft, records))
+        if (!fit || !isEligible(*fit, draft))
             continue;
         const double bic = whitenedBic(input, records, noise,
             {fit->refinement.records, fit->refinement.nuisance, fit->parameters});
-        rivals.push_back({std::move(*fit), ofDraft - bic});
+        const bool canStand = areWithin(records, fit->refinement.poles_rad_s);
+        const bool addsPole = fit->refinement.poles_rad_s.size() > draft.poles_rad_s.size();
+        rivals.push_back({std::move(*fit), canStand ? ofDraft - bic : -HUGE_VAL, addsPole});
     }
     return rivals;
 }
 
 const SecondOrderRival *leader(const std::vector<SecondOrderRival> &rivals, Index mostPoles)
 {
+    constexpr double kVeryStrong = 10.0; // evidence: Kass & Raftery, J. Am. Stat. Assoc. 90 (1995)
     const SecondOrderRival *best = nullptr;
-    for (const SecondOrderRival &rival : rivals)
-        if (rival.poles() <= mostPoles && rival.lead > (best ? best->lead : 0.0))
+    for (const SecondOrderRival &rival : rivals) {
+        const double needed = rival.addsPole ? kVeryStrong : 0.0;
+        if (rival.poles() <= mostPoles && rival.lead > std::max(needed, best ? best->lead : 0.0))
             best = &rival;
+    }
     return best;
 }
 

@@ -18,7 +18,9 @@ namespace dyncal {
 struct SecondOrderRival
 {
     SecondOrderFit fit;
-    double lead = 0.0; ///< BIC of the draft less its own
+    double lead = 0.0; ///< BIC of the draft less its own; -HUGE_VAL where the records cannot hold
+                       ///< its fastest pole
+    bool addsPole = false; ///< it has more poles than the draft
 
     Index poles() const { return std::ssize(fit.refinement.poles_rad_s); }
 };
@@ -33,7 +35,8 @@ struct SecondOrderRival
 std::vector<SecondOrderRival> secondOrderRivals(
     const ModelInput &input, const ModelDraft &draft, const JobControl &control = {});
 
-/// The best of those of at most so many poles that lead; null without one.
+/// The best of those of at most so many poles that lead; null without one. A pole more needs very
+/// strong evidence, a lead of 10: of weaker ones just those win whose noise exaggerates it.
 const SecondOrderRival *leader(const std::vector<SecondOrderRival> &rivals, Index mostPoles);
 
 /// A draft with one real pole (beside a drift) leaves out what is much faster, and BIC does so as

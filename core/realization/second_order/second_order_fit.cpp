@@ -7,9 +7,10 @@
 #include "core/realization/input/left_out.h"
 #include "core/realization/refinement/coloured_covariance.h"
 #include "core/realization/refinement/draft_fit.h"
-#include "core/realization/refinement/levenberg_marquardt.h"
+#include "core/realization/refinement/fit_residual.h"
 #include "core/realization/refinement/pole_uncertainty.h"
 #include "core/realization/refinement/series_simulation.h"
+#include "core/realization/second_order/second_order_minimum.h"
 #include "core/realization/second_order/second_order_problem.h"
 
 #include <Eigen/Cholesky>
@@ -22,42 +23,16 @@
 namespace dyncal {
 namespace {
 
-constexpr double kSlowest = 1e-4; ///< limits of zeta for a second-order sensor
-constexpr double kFastest = 1e3;
-
-/// A drift is at most a tenth as fast as the sensor, and does not grow beyond a third while it is
-/// recorded.
-bool isSlow(const SecondOrderProblem &problem, const Eigen::VectorXd &theta)
+/// The records without the sample that each start was found by. It is the first beyond a threshold,
+/// so its noise points the way of the step; the noise of those behind it does not depend on that.
+std::vector<RefinementRecord> behindTheStart(std::vector<RefinementRecord> records)
 {
-    constexpr double kSlowerThanSensor = 0.1;
-    constexpr double kMostGrowth = 0.3;
-    double longest = 0.0;
-    for (const RefinementRecord &record : problem.records())
-        longest = std::max(
-            longest, static_cast<double>(record.y.size()) / record.rate_Hz / problem.unit_s());
-    const double zeta = std::exp(theta[1]);
-    const double sensor
-        = std::exp(theta[0]) / (zeta > 1.0 ? zeta + std::sqrt(zeta * zeta - 1.0) : 1.0);
-    return theta[2] >= -kSlowerThanSensor * sensor && theta[2] * longest <= kMostGrowth;
-}
-
-bool isSensible(const SecondOrderProblem &problem, const Eigen::VectorXd &theta)
-{
-    const double zeta = std::exp(theta[1]);
-    if (!theta.allFinite() || !(zeta > kSlowest) || !(zeta < kFastest))
-        return false;
-    if (problem.withDrift() && !isSlow(problem, theta))
-        return false;
-    for (std::size_t r = 0; r < problem.records().size(); ++r) {
-        Index at = problem.plateauAt(r) + (problem.withDrift() ? 3 : 2);
-        for (const NuisanceTerm &term : problem.records()[r].nuisance) {
-            const double before = term.pole_rad_s.imag() * problem.unit_s();
-            if (!isSameOscillation(before, theta[at + 1]))
-                return false;
-            at += 4;
-        }
+    for (RefinementRecord &record : records) {
+        record.used = usedRanges(record);
+        if (SampleRange &first = record.used.front(); first.begin == 0 && first.size() > 1)
+            first.begin = 1;
     }
-    return true;
+    return records;
 }
 
 /// All parameters at the values given.
@@ -79,34 +54,18 @@ Eigen::VectorXd startOf(const SecondOrderProblem &problem, const SecondOrderStar
     return theta;
 }
 
-/// The equations at the optimum, or nothing.
-std::optional<RegressionEquations> minimise(
-    const SecondOrderProblem &problem, Eigen::VectorXd &theta, const JobControl &control)
-{
-    const auto equations = descend(
-        theta, {100, 1e-3}, [&](const Eigen::VectorXd &at) { return problem.normalEquations(at); },
-        [&](const Eigen::VectorXd &at) { return isSensible(problem, at); }, control);
-    return isSensible(problem, theta) ? equations : std::nullopt;
-}
-
-struct Minimum
-{
-    Eigen::VectorXd theta;
-    RegressionEquations equations;
-};
-
 /// The lowest one that a start leads to.
-std::optional<Minimum> lowestMinimum(const SecondOrderProblem &problem,
+std::optional<SecondOrderMinimum> lowestMinimum(const SecondOrderProblem &problem,
     const std::vector<SecondOrderStart> &starts, const JobControl &control)
 {
-    std::optional<Minimum> lowest;
+    std::optional<SecondOrderMinimum> lowest;
     for (const SecondOrderStart &start : starts) {
         if (!(start.f0_Hz > 0.0) || !(start.zeta > 0.0))
             continue;
         Eigen::VectorXd theta = startOf(problem, start);
         auto equations = minimise(problem, theta, control);
         if (equations && (!lowest || equations->cost < lowest->equations.cost))
-            lowest = Minimum{std::move(theta), std::move(*equations)};
+            lowest = SecondOrderMinimum{std::move(theta), std::move(*equations)};
     }
     return lowest;
 }
@@ -132,6 +91,29 @@ Eigen::MatrixXd covarianceOf(const SecondOrderProblem &problem, const Refinement
     const Eigen::MatrixXd filling = noiseFilling(
         problem.records(), noise.ofRecord, fit, Eigen::VectorXd::Ones(derivatives.rows()));
     return bread * (derivatives.transpose() * filling * derivatives) * bread;
+}
+
+/// Where the response does not ring the second pole is a delay of a few samples: the data are
+/// nearly linear in it, and the damping ratio bends upwards where it gets shorter. The covariance
+/// with that of w0 and zeta stretched along the damping ratio, so that `k` u reaches the upper end
+/// of the interval by the likelihood.
+Eigen::MatrixXd reachingUp(const SecondOrderProblem &problem, const SecondOrderMinimum &minimum,
+    const Eigen::MatrixXd &covariance, double k, const JobControl &control)
+{
+    constexpr Index kLogZeta = 1;
+    if (std::exp(minimum.theta[kLogZeta]) < kLeastDamping)
+        return covariance;
+    const Index count = covariance.rows();
+    const double variance = covariance(kLogZeta, kLogZeta);
+    const double ofUnitNoise
+        = minimum.equations.matrix.ldlt().solve(Eigen::VectorXd::Unit(count, kLogZeta))[kLogZeta];
+    const double linear = k * std::sqrt(variance);
+    const double rise
+        = riseOfLogZeta(problem, minimum, k * k * variance / ofUnitNoise, linear, control);
+    const double stretch = std::max(1.0, std::expm1(rise) / linear);
+    Eigen::VectorXd along = Eigen::VectorXd::Zero(count);
+    along.head(2) = covariance.col(kLogZeta).head(2);
+    return covariance + (stretch * stretch - 1.0) / variance * along * along.transpose();
 }
 
 void describeShots(const ModelInput &input, const SecondOrderProblem &problem,
@@ -165,11 +147,12 @@ void describeShots(const ModelInput &input, const SecondOrderProblem &problem,
 } // namespace
 
 std::optional<SecondOrderFit> fitSecondOrder(const ModelInput &input,
-    const std::vector<RefinementRecord> &records, const std::vector<SecondOrderStart> &starts,
+    const std::vector<RefinementRecord> &all, const std::vector<SecondOrderStart> &starts,
     const JobControl &control)
 {
     if (starts.empty())
         return std::nullopt;
+    const std::vector<RefinementRecord> records = behindTheStart(all);
     const double unit_Hz = starts.front().f0_Hz;
     const SecondOrderProblem problem(records, 1.0 / (2.0 * std::numbers::pi * unit_Hz),
         input.front.duration_s, starts.front().drift.has_value());
@@ -188,8 +171,11 @@ std::optional<SecondOrderFit> fitSecondOrder(const ModelInput &input,
     fit.noise = models.basis;
     const Eigen::MatrixXd derivatives = problem.derivatives(theta, fit.refinement);
     const Eigen::VectorXd ofFront = changeByFront(problem, theta, input.front.u_s, control);
+    const double k = coverageFactor95(fit.noise.dof);
     const Eigen::MatrixXd covariance
-        = covarianceOf(problem, fit.refinement, derivatives, lowest->equations, models)
+        = reachingUp(problem, *lowest,
+              covarianceOf(problem, fit.refinement, derivatives, lowest->equations, models), k,
+              control)
         + ofFront * ofFront.transpose();
     fit.refinement.covariance = derivatives * covariance * derivatives.transpose();
     fit.shape = covariance.topLeftCorner<2, 2>();
@@ -199,7 +185,7 @@ std::optional<SecondOrderFit> fitSecondOrder(const ModelInput &input,
     sensor.u_f0_Hz = sensor.f0_Hz * std::sqrt(covariance(0, 0));
     sensor.zeta = problem.step(theta, 0).zeta();
     sensor.u_zeta = sensor.zeta * std::sqrt(covariance(1, 1));
-    sensor.coverageFactor = coverageFactor95(fit.noise.dof);
+    sensor.coverageFactor = k;
     sensor.uncertaintyMethod = noiseName(fit.noise);
     sensor.residualToNoise = fit.refinement.residualToNoise;
     describeShots(input, problem, theta, covariance, fit);

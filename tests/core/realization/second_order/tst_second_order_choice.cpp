@@ -250,6 +250,26 @@ private slots:
         QVERIFY(alone < onset);
     }
 
+    void leader_ofAPoleMoreNeedsVeryStrongEvidence()
+    {
+        const auto rival = [](double lead, bool addsPole) {
+            SecondOrderRival one{{}, lead, addsPole};
+            one.fit.refinement.poles_rad_s = {-1e5, -1e6};
+            return one;
+        };
+        const auto leads = [&](double lead, bool addsPole) {
+            return leader({rival(lead, addsPole)}, 2) != nullptr;
+        };
+        QVERIFY(leads(0.1, false));
+        QVERIFY(!leads(-0.1, false));
+        QVERIFY(!leads(9.9, true));
+        QVERIFY(leads(10.1, true));
+        QVERIFY(!leads(-HUGE_VAL, false)); // too fast for the records
+        const std::vector<SecondOrderRival> two{rival(8.0, false), rival(12.0, true)};
+        QCOMPARE(leader(two, 2), &two[1]);
+        QCOMPARE(leader(two, 1), nullptr);
+    }
+
     void driftOf_isASlowPoleBesideTheOthers()
     {
         const auto draftOf = [](std::vector<std::complex<double>> poles) {
