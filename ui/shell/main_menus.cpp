@@ -44,7 +44,9 @@ QAction *MainMenus::addAction(QMenu *menu, const QString &name, const QString &t
 
 void MainMenus::build(const QStringList &stages)
 {
-    m_toolBar->clear();
+    for (QAction *action : m_toolBar->actions())
+        if (action->isSeparator())
+            delete action; // all others are the menus'
     m_parts.window.menuBar()->clear();
     // Menus of another language would keep their actions' names.
     qDeleteAll(m_parts.window.menuBar()->findChildren<QMenu *>(Qt::FindDirectChildrenOnly));

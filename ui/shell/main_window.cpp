@@ -248,7 +248,7 @@ void MainWindow::buildFindings()
 
 void MainWindow::buildNextBar()
 {
-    delete m_next;
+    qDeleteAll(m_nextLine->actions()); // with the bar
     m_next = new NextBar(m_nextLine);
     m_nextLine->setWindowTitle(tr("What next"));
     m_nextLine->addWidget(m_next);

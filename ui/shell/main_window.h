@@ -11,6 +11,7 @@
 #include "ui/shell/preferences/preferences.h"
 #include "ui/shell/tips/control_tips.h"
 #include "ui/stages/frame/prompts.h"
+#include "ui/text/line_length_rule.h"
 #include "ui/text/plain_text_rule.h"
 
 #include <QMainWindow>
@@ -87,6 +88,7 @@ private:
     void showInspector();
 
     PlainTextRule m_plainText; ///< first: before any label is made
+    LineLengthRule m_lineLength; ///< so before any line of text
     ControlTips m_tips; ///< so for any control
     Preferences &m_preferences;
     Prompts &m_prompts;

@@ -74,11 +74,12 @@ void showEveryPage(ScenarioBench &bench)
     }
 }
 
-/// The pictures that plots keep of themselves, three of their size: far the most of what an empty
-/// window holds, and as large as the last acts left the plots.
+/// The pictures that plots keep of themselves, four of their size (curves, decorations, axes, what
+/// lies above): far the most of what an empty window holds, and as large as the last acts left the
+/// plots.
 double pictures_MiB(const ScenarioBench &bench)
 {
-    constexpr double kBytesPerPixel = 3 * 4;
+    constexpr double kBytesPerPixel = 4 * 4;
     double pixels = 0.0;
     for (const QWidget *plot : bench.window->findChildren<QWidget *>())
         if (plot->inherits("QCustomPlot"))

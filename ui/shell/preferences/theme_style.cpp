@@ -79,11 +79,10 @@ void ThemeStyle::outline(const QStyleOption &option, QPainter &painter) const
 
 void useTheme(ThemeKind kind)
 {
-    // The style keeps a picture of every frame, button and arrow in every size they ever had, 10
-    // MiB and as much beside them: a window that is resized all day would seem to leak.
-    constexpr int kKeptPictures_KiB = 2048;
-    QPixmapCache::setCacheLimit(kKeptPictures_KiB);
-    QPixmapCache::clear(); // those of another theme are not drawn again
+    // The style keeps a picture of every frame, button and arrow in every size they ever had, and
+    // Qt 6.4 the name of each for ever, cleared or not: a window resized all day would grow. Drawn
+    // anew each time they cost a twentieth of a page.
+    QPixmapCache::setCacheLimit(0);
     const Theme theme = themeOf(kind);
     QApplication::setStyle(new ThemeStyle(theme));
     QApplication::setPalette(theme.palette);
