@@ -4496,5 +4496,9 @@
         <source>%1 % of the variance of the sensitivity come from one source, %M1: to know it better is what makes the uncertainty smaller.</source>
         <translation>%1 % der Varianz der Empfindlichkeit kommen aus einer Quelle, %M1: Sie besser zu kennen, verkleinert die Unsicherheit.</translation>
     </message>
+    <message>
+        <source>Shot %1: the record takes %2 from the typed start to a quarter of the step and just %3 from there to the half, so the response begins later; the model takes the quiet stretch for a part of it. Move the start, or let it be found.</source>
+        <translation>Schuss %1: Vom eingetippten Beginn bis zu einem Viertel des Sprungs braucht die Aufzeichnung %2 und von dort bis zur Hälfte nur %3, also beginnt die Antwort später; das Modell nimmt das ruhige Stück für einen Teil von ihr. Den Beginn verschieben oder finden lassen.</translation>
+    </message>
 </context>
 </TS>

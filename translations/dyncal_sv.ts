@@ -10601,6 +10601,10 @@ steget</translation>
         <source>%1 % of the variance of the sensitivity come from one source, %M1: to know it better is what makes the uncertainty smaller.</source>
         <translation>%1 % av känslighetens varians kommer från en källa, %M1: att känna den bättre är vad som gör osäkerheten mindre.</translation>
     </message>
+    <message>
+        <source>Shot %1: the record takes %2 from the typed start to a quarter of the step and just %3 from there to the half, so the response begins later; the model takes the quiet stretch for a part of it. Move the start, or let it be found.</source>
+        <translation>Skott %1: registreringen behöver %2 från den inskrivna starten till en fjärdedel av steget och bara %3 därifrån till hälften, så responsen börjar senare; modellen tar den lugna sträckan för en del av den. Flytta starten, eller låt den hittas.</translation>
+    </message>
 </context>
 <context>
     <name>dyncal::ArrivalPanel</name>

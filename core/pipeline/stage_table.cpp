@@ -284,7 +284,7 @@ constexpr std::array<Stage, kStageCount> kStages{{
         kept<&R::starts, arrivals>(), saidElsewhere},
     {Expected, DYNCAL_TEXT("core", "expected shock"), 1, 30, "", Arrivals, Shock, false,
         readExpected, kept<&R::expected, expected>(), saidElsewhere},
-    {Window, DYNCAL_TEXT("core", "window"), 6, 50, "WIN-", Expected, Window, true, readWindow,
+    {Window, DYNCAL_TEXT("core", "window"), 7, 50, "WIN-", Expected, Window, true, readWindow,
         kept<&R::window, window>(), of<&R::window>},
     {Spectrum, DYNCAL_TEXT("core", "spectrum"), 1, 110, "SPC-", Window, Spectrum, true,
         readSpectrum, kept<&R::spectrum, spectrum>(), of<&R::spectrum>},

@@ -105,6 +105,43 @@ void addMisplaced(const WindowedResponse &response, Findings &findings)
             gone);
 }
 
+/// First sample from the start on that has left the baseline by a share of the step, as the next;
+/// none: the number of samples.
+Index samplesTo(double share, const WindowedResponse &response)
+{
+    const double level = share * std::abs(response.step / response.valueScale);
+    const Eigen::VectorXd &values = response.values;
+    Index k = response.lead;
+    while (k + 1 < values.size()
+        && !(std::abs(values[k]) >= level && std::abs(values[k + 1]) >= level))
+        ++k;
+    return k - response.lead;
+}
+
+/// A start typed before the response: the model takes the quiet stretch for a part of it.
+void addEarly(const WindowedResponse &response, Findings &findings)
+{
+    constexpr Index kSlack = 2;
+    constexpr Index kMostDelay = 4; // of the way on; eight equal poles in series have 3.5
+    const Index quarter = samplesTo(0.25, response), half = samplesTo(0.5, response);
+    if (response.startDetected || quarter <= kMostDelay * (half - quarter) + kSlack)
+        return;
+    const double quarter_s = static_cast<double>(quarter) / response.sampleRate_Hz;
+    const double half_s = static_cast<double>(half) / response.sampleRate_Hz;
+    findings.push_back({.id = "WIN-011",
+        .severity = Severity::Caution,
+        .shot = response.shot,
+        .channel = response.channel,
+        .time_s = response.start_s,
+        .message
+        = {DYNCAL_TEXT("core",
+               "Shot %1: the record takes %2 from the typed start to a quarter of the step and just %3 from there to the half, so the response begins later; the model takes the quiet stretch for a part of it. Move the start, or let it be found."),
+            {std::to_string(response.shot), numberWithUnit(quarter_s, "s", 3),
+                numberWithUnit(half_s - quarter_s, "s", 3)}},
+        .value = quarter_s,
+        .causes = {FindingCause::Typed}});
+}
+
 void addInterpolation(const WindowedResponse &response, Findings &findings)
 {
     const Index begin = std::max(response.lead - kSamplesLookedAt / 4, Index(0));
@@ -138,6 +175,7 @@ Findings recordFindings(const WindowedResponse &response, const Channel &channel
     Findings findings;
     addUnrest(response, channel, findings);
     addMisplaced(response, findings);
+    addEarly(response, findings);
     addInterpolation(response, findings);
     return findings;
 }
