@@ -4498,7 +4498,7 @@
     </message>
     <message>
         <source>Shot %1: the record takes %2 from the typed start to a quarter of the step and just %3 from there to the half, so the response begins later; the model takes the quiet stretch for a part of it. Move the start, or let it be found.</source>
-        <translation>Schuss %1: Vom eingetippten Beginn bis zu einem Viertel des Sprungs braucht die Aufzeichnung %2 und von dort bis zur Hälfte nur %3, also beginnt die Antwort später; das Modell nimmt das ruhige Stück für einen Teil von ihr. Den Beginn verschieben oder finden lassen.</translation>
+        <translation>Schuss %1: Vom eingetippten Beginn bis zu einem Viertel des Sprungs braucht die Aufzeichnung %2 und von dort bis zur Hälfte nur %3, also beginnt die Antwort später; das Modell nimmt das ruhige Stück für einen Teil von ihr. Verschieben Sie den Beginn, oder lassen Sie ihn suchen.</translation>
     </message>
 </context>
 </TS>

@@ -10603,7 +10603,7 @@ steget</translation>
     </message>
     <message>
         <source>Shot %1: the record takes %2 from the typed start to a quarter of the step and just %3 from there to the half, so the response begins later; the model takes the quiet stretch for a part of it. Move the start, or let it be found.</source>
-        <translation>Skott %1: registreringen behöver %2 från den inskrivna starten till en fjärdedel av steget och bara %3 därifrån till hälften, så responsen börjar senare; modellen tar den lugna sträckan för en del av den. Flytta starten, eller låt den hittas.</translation>
+        <translation>Skott %1: registreringen behöver %2 från den inskrivna starten till en fjärdedel av steget och bara %3 därifrån till hälften, så svaret börjar senare; modellen tar den lugna sträckan för en del av det. Flytta starten, eller låt den sökas.</translation>
     </message>
 </context>
 <context>
