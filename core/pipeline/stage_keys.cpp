@@ -8,6 +8,8 @@
 #include "core/base/number_text.h"
 #include "core/pipeline/stage_table.h"
 
+#include <mutex>
+
 namespace dyncal {
 namespace {
 
@@ -100,17 +102,43 @@ Recipe sectionsOf(const Stage &stage, const Recipe &recipe)
     return part;
 }
 
+/// recipeJson() of the sections of each stage, as they were asked for last: of a drag that changes
+/// one stage the others' are the same, and writing them all takes longer than fitting a model.
+class WrittenSections
+{
+public:
+    std::string of(const Stage &stage, const Recipe &recipe)
+    {
+        const Recipe part = sectionsOf(stage, recipe);
+        const std::lock_guard lock(m_mutex);
+        Written &last = m_last[static_cast<std::size_t>(stage.id)];
+        if (last.json.empty() || !(last.part == part))
+            last = {part, recipeJson(part)};
+        return last.json;
+    }
+
+private:
+    struct Written
+    {
+        Recipe part;
+        std::string json;
+    };
+    std::mutex m_mutex;
+    std::array<Written, kStageCount> m_last;
+};
+
 } // namespace
 
 std::array<std::string, kStageCount> stageKeys(const CaptureSet &captures, const Recipe &recipe)
 {
+    static WrittenSections sections;
     std::array<std::string, kStageCount> keys;
     const std::string identity = identityOf(captures);
     for (std::size_t i = 0; i < keys.size(); ++i) {
         const Stage &stage = stageOf(static_cast<StageId>(i));
         const std::string &before
             = i == 0 ? identity : keys[static_cast<std::size_t>(stage.follows)];
-        keys[i] = sha256Hex(before + stage.name + recipeJson(sectionsOf(stage, recipe)));
+        keys[i] = sha256Hex(before + stage.name + sections.of(stage, recipe));
     }
     return keys;
 }

@@ -65,12 +65,32 @@ std::vector<Poles> startsOfTwo(double slow_rad_s)
         {pair, std::conj(pair)}};
 }
 
+constexpr double kLeast = 0.3; ///< of the largest value, beside what does not ring
+constexpr double kNoise = 6.0; ///< standard deviations
+
+/// Whether a record swings about its end so often that what rings() looks for is sure: n real poles
+/// and a constant cross a level n times at most.
+bool swings(const RefinementRecord &record)
+{
+    constexpr int kCrossings = 8;
+    const Eigen::VectorXd &y = record.y;
+    const double end = y.tail(std::max<Index>(1, y.size() / 10)).mean();
+    const double least = kLeast * y.cwiseAbs().maxCoeff() + kNoise / record.weight;
+    int crossings = 0;
+    double side = 0.0;
+    for (Index k = 0; k < y.size() && crossings < kCrossings; ++k) {
+        if (std::abs(y[k] - end) <= least || (y[k] - end) * side > 0.0)
+            continue;
+        crossings += side != 0.0 ? 1 : 0;
+        side = y[k] - end;
+    }
+    return crossings == kCrossings;
+}
+
 /// Whether a record leaves so much beside one pole that it can only ring: two real poles, or a pair
 /// damped as here, leave less than a fifth of it.
 bool rings(const Refinement &onePole, const std::vector<RefinementRecord> &records)
 {
-    constexpr double kLeast = 0.3; ///< of the largest value
-    constexpr double kNoise = 6.0; ///< standard deviations
     constexpr Index kLooks = 4000; ///< at a record, evenly spread
     for (std::size_t r = 0; r < records.size(); ++r) {
         const RefinementRecord &record = records[r];
@@ -114,7 +134,7 @@ std::optional<Refinement> refineAperiodic(const ModelInput &input, const ModelDr
     const auto part = isStepTreatment(input.treatment) && !isThesisMode(input)
         ? aperiodicPart(input, draft)
         : std::nullopt;
-    if (!part)
+    if (!part || std::ranges::any_of(records, swings))
         return std::nullopt;
     Index samples = 0;
     for (const RefinementRecord &record : records)

@@ -148,19 +148,23 @@ std::vector<SecondOrderRival> secondOrderRivals(
     if (!isStepTreatment(input.treatment) || isThesisMode(input))
         return {};
     const std::vector<RefinementRecord> records = refinementRecords(input, draft);
+    std::vector<SecondOrderFit> fits;
+    for (const std::vector<SecondOrderStart> &starts : startsToTry(records, draft))
+        if (auto fit = fitSecondOrder(input, records, starts, control);
+            fit && isEligible(*fit, draft))
+            fits.push_back(std::move(*fit));
+    if (fits.empty())
+        return {};
     const std::vector<AutoregressiveModel> noise
         = chooseAutoregressiveModels(noiseBeforeStart(input), kLargestNoiseModel);
     const double ofDraft = whitenedBic(input, records, noise, descriptionOf(draft));
     std::vector<SecondOrderRival> rivals;
-    for (const std::vector<SecondOrderStart> &starts : startsToTry(records, draft)) {
-        auto fit = fitSecondOrder(input, records, starts, control);
-        if (!fit || !isEligible(*fit, draft))
-            continue;
+    for (SecondOrderFit &fit : fits) {
         const double bic = whitenedBic(input, records, noise,
-            {fit->refinement.records, fit->refinement.nuisance, fit->parameters});
-        const bool canStand = areWithin(records, fit->refinement.poles_rad_s);
-        const bool addsPole = fit->refinement.poles_rad_s.size() > draft.poles_rad_s.size();
-        rivals.push_back({std::move(*fit), canStand ? ofDraft - bic : -HUGE_VAL, addsPole});
+            {fit.refinement.records, fit.refinement.nuisance, fit.parameters});
+        const bool canStand = areWithin(records, fit.refinement.poles_rad_s);
+        const bool addsPole = fit.refinement.poles_rad_s.size() > draft.poles_rad_s.size();
+        rivals.push_back({std::move(fit), canStand ? ofDraft - bic : -HUGE_VAL, addsPole});
     }
     return rivals;
 }

@@ -3,6 +3,7 @@
 
 #include "ui/plot/qcp/qcp_canvas.h"
 
+#include "ui/plot/values/content_comparison.h"
 #include "ui/plot/values/theme.h"
 
 #include <cmath>
@@ -56,7 +57,8 @@ void PlotCanvas::setContent(const PlotContent &content)
     const std::shared_ptr<const PlotContent> before = m_scene.sharedContent();
     const auto now = std::make_shared<const PlotContent>(content);
     if (m_scene.moveDecorations(now)) {
-        replotDecorations();
+        if (!hasSameDecorations(*before, *now))
+            replotDecorations();
         return;
     }
     m_scene.setContent(now);

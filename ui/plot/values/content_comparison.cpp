@@ -48,4 +48,16 @@ bool isSameButDecorations(const PlotContent &a, const PlotContent &b)
             [](const PlotCurve &x, const PlotCurve &y) { return isSame(x, y); });
 }
 
+bool hasSameDecorations(const PlotContent &a, const PlotContent &b)
+{
+    return std::equal(a.marks.begin(), a.marks.end(), b.marks.begin(), b.marks.end(),
+               [](const PlotMark &x, const PlotMark &y) {
+                   return x.x == y.x && x.label == y.label && x.role == y.role;
+               })
+        && std::equal(a.levels.begin(), a.levels.end(), b.levels.begin(), b.levels.end(),
+            [](const PlotLevel &x, const PlotLevel &y) {
+                return x.y == y.y && x.label == y.label && x.role == y.role && x.from == y.from;
+            });
+}
+
 } // namespace dyncal

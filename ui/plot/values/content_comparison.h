@@ -11,4 +11,7 @@ namespace dyncal {
 /// (without bands) and their summary.
 bool isSameButDecorations(const PlotContent &a, const PlotContent &b);
 
+/// Whether their marks and levels are equal, in place, words and role.
+bool hasSameDecorations(const PlotContent &a, const PlotContent &b);
+
 } // namespace dyncal

@@ -394,6 +394,15 @@ void TestPlotWidget::decorationsAlone_areMovedToWhereANewPlotHasThem()
         return plot.grab().toImage() == fresh.grab().toImage();
     };
     QVERIFY(isAsNew(content));
+    plot.setContent(content); // the same again draws nothing
+    QApplication::processEvents();
+    QCOMPARE(replotted.count(), 1);
+    content.levels.front().label = "order 4"; // words and colours count as places do
+    plot.setContent(content);
+    content.marks.back().role = CurveRole::Model;
+    plot.setContent(content);
+    QCOMPARE(replotted.count(), 3);
+    QVERIFY(isAsNew(content));
 
     content.curves.front().y[200] += 0.5; // the rest is drawn again as soon as it differs
     replotted.clear();
