@@ -66,6 +66,18 @@ void addUnrest(const WindowedResponse &response, const Channel &channel, Finding
             response, firstSamples(response, channel), -timeOf_s(response.startSample), findings);
 }
 
+Finding misplaced(const WindowedResponse &response, Message message, double value)
+{
+    return {.id = "WIN-011",
+        .severity = Severity::Caution,
+        .shot = response.shot,
+        .channel = response.channel,
+        .time_s = response.start_s,
+        .message = std::move(message),
+        .value = value,
+        .causes = {FindingCause::Typed}};
+}
+
 /// What a response is counted from, against what its record shows before the start.
 void addMisplaced(const WindowedResponse &response, Findings &findings)
 {
@@ -78,14 +90,8 @@ void addMisplaced(const WindowedResponse &response, Findings &findings)
         return perStep * response.values.segment(response.lead + begin, count).mean();
     };
     const auto report = [&](const char *text, double share) {
-        findings.push_back({.id = "WIN-011",
-            .severity = Severity::Caution,
-            .shot = response.shot,
-            .channel = response.channel,
-            .time_s = response.start_s,
-            .message = {text, {std::to_string(response.shot), numberText(100.0 * share, 3)}},
-            .value = 100.0 * share,
-            .causes = {FindingCause::Typed}});
+        findings.push_back(misplaced(response,
+            {text, {std::to_string(response.shot), numberText(100.0 * share, 3)}}, 100.0 * share));
     };
     const Index count = std::min(kQuiet, response.lead / 2);
     if (count < kLast)
@@ -123,23 +129,19 @@ void addEarly(const WindowedResponse &response, Findings &findings)
 {
     constexpr Index kSlack = 2;
     constexpr Index kMostDelay = 4; // of the way on; eight equal poles in series have 3.5
+    if (response.startDetected)
+        return;
     const Index quarter = samplesTo(0.25, response), half = samplesTo(0.5, response);
-    if (response.startDetected || quarter <= kMostDelay * (half - quarter) + kSlack)
+    if (quarter <= kMostDelay * (half - quarter) + kSlack)
         return;
     const double quarter_s = static_cast<double>(quarter) / response.sampleRate_Hz;
     const double half_s = static_cast<double>(half) / response.sampleRate_Hz;
-    findings.push_back({.id = "WIN-011",
-        .severity = Severity::Caution,
-        .shot = response.shot,
-        .channel = response.channel,
-        .time_s = response.start_s,
-        .message
-        = {DYNCAL_TEXT("core",
-               "Shot %1: the record takes %2 from the typed start to a quarter of the step and just %3 from there to the half, so the response begins later; the model takes the quiet stretch for a part of it. Move the start, or let it be found."),
+    findings.push_back(misplaced(response,
+        {DYNCAL_TEXT("core",
+             "Shot %1: the record takes %2 from the typed start to a quarter of the step and just %3 from there to the half, so the response begins later; the model takes the quiet stretch for a part of it. Move the start, or let it be found."),
             {std::to_string(response.shot), numberWithUnit(quarter_s, "s", 3),
                 numberWithUnit(half_s - quarter_s, "s", 3)}},
-        .value = quarter_s,
-        .causes = {FindingCause::Typed}});
+        quarter_s));
 }
 
 void addInterpolation(const WindowedResponse &response, Findings &findings)

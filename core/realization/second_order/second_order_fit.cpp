@@ -100,7 +100,6 @@ Eigen::MatrixXd covarianceOf(const SecondOrderProblem &problem, const Refinement
 Eigen::MatrixXd reachingUp(const SecondOrderProblem &problem, const SecondOrderMinimum &minimum,
     const Eigen::MatrixXd &covariance, double k, const JobControl &control)
 {
-    constexpr Index kLogZeta = 1;
     if (std::exp(minimum.theta[kLogZeta]) < kLeastDamping)
         return covariance;
     const Index count = covariance.rows();

@@ -16,7 +16,6 @@ namespace {
 
 constexpr double kSlowest = 1e-4; ///< limits of zeta for a second-order sensor
 constexpr double kFastest = 1e3;
-constexpr Index kLogZeta = 1; ///< its place in theta
 
 /// A drift is at most a tenth as fast as the sensor, and does not grow beyond a third while it is
 /// recorded.

@@ -12,6 +12,8 @@
 
 namespace dyncal {
 
+inline constexpr Index kLogZeta = 1; ///< place of ln zeta in the problem's theta
+
 /// Moves theta to the lowest cost near it, a drift staying slower than the sensor and each mode the
 /// same; the parameter `fixed` stays where it is. The equations there; empty where none is found.
 std::optional<RegressionEquations> minimise(const SecondOrderProblem &problem,

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "core/base/compact_heap.h"
+#include "tests/support/allocated_memory.h"
 #include "tests/support/test_program.h"
 #include "tests/support/trial_count.h"
 #include "tests/ui/scenarios/monkey.h"
@@ -45,13 +46,6 @@ void noteWarnings(QtMsgType type, const QMessageLogContext &, const QString &tex
     const bool isOfPlatform = text.startsWith("This plugin does not support");
     if (type != QtDebugMsg && type != QtInfoMsg && !isOfPlatform && warnings().size() < 20)
         warnings() << text;
-}
-
-/// What is allocated, in all arenas and mapped regions: a leak raises it, fragments do not.
-double inUse_MiB()
-{
-    const struct mallinfo2 all = ::mallinfo2();
-    return static_cast<double>(all.uordblks + all.hblkhd) / (1024.0 * 1024.0);
 }
 
 double resident_MiB()
@@ -183,7 +177,7 @@ void TestMonkey::randomActs_breakNothing()
             std::printf(
                 "round %d: %d acts, %.1f MiB without %.1f MiB of pictures, %.1f MiB in use\n",
                 round, acts, memory_MiB.back(), pictures_MiB(bench),
-                inUse_MiB() - pictures_MiB(bench));
+                testing::allocated_MiB() - pictures_MiB(bench));
         QElapsedTimer clock;
         clock.start();
         while (clock.elapsed() < kRound_ms && faults.isEmpty()) {

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "core/pipeline/pipeline.h"
+#include "tests/support/allocated_memory.h"
 #include "tests/support/test_program.h"
 #include "tests/support/trial_count.h"
 #include "tests/ui/shell/window_bench.h"
@@ -16,8 +17,6 @@
 #include <QPainter>
 #include <QStyleOption>
 #include <QtTest>
-
-#include <malloc.h>
 
 #include <map>
 
@@ -166,11 +165,7 @@ void TestThemeSwitch::picturesOfTheStyle_areNotKept()
 {
     constexpr double kMost_MiB = 0.5; // 11.5 where they are kept, 4 where just their names are
     useTheme(ThemeKind::Light);
-    const auto inUse_MiB = [] {
-        const struct mallinfo2 all = ::mallinfo2();
-        return static_cast<double>(all.uordblks + all.hblkhd) / (1024.0 * 1024.0);
-    };
-    const double before_MiB = inUse_MiB();
+    const double before_MiB = testing::allocated_MiB();
     QImage picture(1000, 100, QImage::Format_ARGB32_Premultiplied);
     for (int width = 40; width < 1000; ++width) {
         QPainter painter(&picture);
@@ -180,7 +175,7 @@ void TestThemeSwitch::picturesOfTheStyle_areNotKept()
         option.subControls = QStyle::SC_All;
         QApplication::style()->drawComplexControl(QStyle::CC_ComboBox, &option, &painter);
     }
-    const double kept_MiB = inUse_MiB() - before_MiB;
+    const double kept_MiB = testing::allocated_MiB() - before_MiB;
     QVERIFY2(kept_MiB < kMost_MiB, qPrintable(QString::number(kept_MiB)));
 }
 

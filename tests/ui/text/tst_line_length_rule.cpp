@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Dyncal authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+#include "tests/support/allocated_memory.h"
 #include "tests/support/test_program.h"
 #include "ui/text/line_length_rule.h"
 
@@ -9,19 +10,7 @@
 #include <QLineEdit>
 #include <QtTest>
 
-#include <malloc.h>
-
 using namespace dyncal;
-
-namespace {
-
-double allocated_MiB()
-{
-    const struct mallinfo2 all = ::mallinfo2();
-    return static_cast<double>(all.uordblks + all.hblkhd) / (1024.0 * 1024.0);
-}
-
-} // namespace
 
 class TestLineLengthRule : public QObject
 {
@@ -65,7 +54,7 @@ void TestLineLengthRule::ownLimit_andLongerText_stay()
 void TestLineLengthRule::tablePastedOften_isNotKept()
 {
     const LineLengthRule rule;
-    const double before = allocated_MiB();
+    const double before = testing::allocated_MiB();
     std::vector<std::unique_ptr<QLineEdit>> lines;
     for (int i = 0; i < 40; ++i) {
         lines.push_back(std::make_unique<QLineEdit>());
@@ -74,7 +63,7 @@ void TestLineLengthRule::tablePastedOften_isNotKept()
         lines.back()->selectAll();
         lines.back()->paste();
     }
-    const double kept = allocated_MiB() - before;
+    const double kept = testing::allocated_MiB() - before;
     QVERIFY2(kept < 20.0, qPrintable(QString("%1 MiB").arg(kept))); // above 60 without the rule
 }
 

@@ -25,7 +25,6 @@ namespace {
 
 constexpr double kF0_Hz = 318e3, kRate_Hz = 10e6;
 constexpr double kUnit_s = 1.0 / (2.0 * std::numbers::pi * kF0_Hz);
-constexpr Index kLogZeta = 1;
 
 /// One record of a damped step as the mean of all noises of a standard deviation leaves it, and
 /// where its cost is lowest. It begins behind the onset, as records do.
