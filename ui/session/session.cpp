@@ -138,15 +138,21 @@ void Session::setState(const ProjectState &wanted)
     const auto affected = otherCaptures ? std::optional(StageId::Captures)
                                         : firstDifferentStage(m_state.recipe, state.recipe);
     m_state = state;
-    if (otherCaptures) {
+    if (otherCaptures)
         m_shown.forgetLastGood();
-        emit capturesChanged();
-    }
-    emit recipeChanged();
     if (affected)
         markStaleFrom(*affected);
+    if (m_isMerging) // a drag: it computes while the window shows the move
+        startNewer();
+    if (otherCaptures)
+        emit capturesChanged();
+    emit recipeChanged();
+    if (affected && !m_state.hasShots())
+        emit resultsChanged();
+    emit stageStatusChanged();
 }
 
+/// The signals are the caller's.
 void Session::markStaleFrom(StageId stage)
 {
     if (stage <= StageId::Decomposition)
@@ -161,15 +167,14 @@ void Session::markStaleFrom(StageId stage)
         m_focusRun.withdraw();
         m_restRun.withdraw();
         m_shown.clear();
-        emit resultsChanged();
     }
-    emit stageStatusChanged();
 }
 
 void Session::recompute()
 {
     m_wholeSet.allow();
     markStaleFrom(StageId::Captures);
+    emit stageStatusChanged();
 }
 
 void Session::cancelComputation()
@@ -235,7 +240,7 @@ void Session::startWholeSet()
     emit stageStatusChanged();
 }
 
-/// Starts a waiting run before the results are drawn, so that it computes while the window draws.
+/// Starts a waiting run before anything is drawn, so that it computes while the window draws.
 bool Session::startNewer()
 {
     if (!m_focusRun.isAsked())

@@ -115,9 +115,9 @@ public:
     void recompute();
 
 signals:
-    void recipeChanged();
+    void recipeChanged(); ///< stageStatusChanged() follows
     void capturesChanged();
-    void resultsChanged();
+    void resultsChanged(); ///< stageStatusChanged() follows
     void stageStatusChanged();
     void sourcesChanged(); ///< changedSources() are others
     void failed(const dyncal::Error &error);

@@ -190,8 +190,7 @@ void MainWindow::connectSession()
     for (const auto signal :
         {&Session::resultsChanged, &Session::recipeChanged, &Session::sourcesChanged})
         connect(&m_session, signal, this, &MainWindow::showFindings);
-    for (const auto signal :
-        {&Session::stageStatusChanged, &Session::recipeChanged, &Session::sourcesChanged})
+    for (const auto signal : {&Session::stageStatusChanged, &Session::sourcesChanged})
         connect(&m_session, signal, this, &MainWindow::showStatuses);
 }
 

@@ -52,6 +52,7 @@ void StageList::addStage(const QString &title)
 {
     new QListWidgetItem(this);
     m_titles << title;
+    m_widestWords << 0;
     setStanding(count() - 1, {});
 }
 
@@ -67,23 +68,37 @@ void StageList::setStanding(int row, const PageStanding &standing)
         tr("Stage %1: %2, %3 (%4)")
             .arg(QString::number(row + 1), m_titles[row], word,
                 stageKeys(static_cast<Page>(row)).toString(QKeySequence::NativeText)));
-    fitRows();
+    fitRow(row);
+    fitWidth();
 }
 
 void StageList::fitRows()
 {
+    for (int row = 0; row < count(); ++row)
+        fitRow(row);
+    fitWidth();
+}
+
+void StageList::fitRow(int row)
+{
+    static const QRegularExpression kSpaces("\\s+");
     const QRect room(0, 0, std::max(1, viewport()->width() - kSignSize_px - 2 * kAroundText_px),
         QWIDGETSIZE_MAX);
-    int widest = 0;
-    for (int row = 0; row < count(); ++row) {
-        const QString text = item(row)->text();
-        const int height = fontMetrics().boundingRect(room, Qt::TextWordWrap, text).height();
-        item(row)->setSizeHint({0, std::max(kRowHeight, height + kAroundText_px)});
-        for (const QString &word : text.split(QRegularExpression("\\s+")))
-            widest = std::max(widest, fontMetrics().horizontalAdvance(word));
-    }
+    const QString text = item(row)->text();
+    const int height = fontMetrics().boundingRect(room, Qt::TextWordWrap, text).height();
+    item(row)->setSizeHint({0, std::max(kRowHeight, height + kAroundText_px)});
+    int &widest = m_widestWords[row];
+    widest = 0;
+    for (const QString &word : text.split(kSpaces))
+        widest = std::max(widest, fontMetrics().horizontalAdvance(word));
+}
+
+void StageList::fitWidth()
+{
+    const auto widest = std::ranges::max_element(m_widestWords);
+    const int words = widest == m_widestWords.end() ? 0 : *widest;
     const int bar = verticalScrollBar()->sizeHint().width();
-    setMinimumWidth(widest + kSignSize_px + 3 * kAroundText_px + bar + 2 * frameWidth());
+    setMinimumWidth(words + kSignSize_px + 3 * kAroundText_px + bar + 2 * frameWidth());
 }
 
 void StageList::resizeEvent(QResizeEvent *event)

@@ -32,8 +32,11 @@ protected:
 
 private:
     void fitRows(); ///< to their words, in as many lines as they need
+    void fitRow(int row);
+    void fitWidth(); ///< no word is cut
 
     QStringList m_titles;
+    QList<int> m_widestWords; ///< of each row, in pixels
 };
 
 } // namespace dyncal

@@ -101,6 +101,7 @@ private slots:
     void certificateText_computesNothing();
     void burstOfChanges_endsWithTheNewest();
     void drag_slowPipeline_stillShowsResults();
+    void drag_move_isComputedWhileItIsShown();
     void drag_rest_waitsForTheHand();
     void cancel_leavesStale();
     void affected_shock_startsAtExpected();
@@ -319,8 +320,10 @@ void TestSession::certificateText_computesNothing()
     const int runs = pipeline.log->runs;
     Recipe next = session.recipe();
     next.certificate.fields["customer"] = "A";
+    QSignalSpy standing(&session, &Session::stageStatusChanged);
     session.apply(next, "Customer");
     QVERIFY(!session.isComputing());
+    QCOMPARE(standing.count(), 1); // a page whose fields are filled stands otherwise
     QTest::qWait(40);
     QCOMPARE(pipeline.log->runs.load(), runs);
     QVERIFY(!session.undoStack().isClean());
@@ -356,6 +359,29 @@ void TestSession::drag_slowPipeline_stillShowsResults()
     QTRY_VERIFY(!session.isComputing());
     QCOMPARE(shownOrder(session), Index(42));
     QVERIFY2(seen.size() >= 3, qPrintable(QString::number(seen.size())));
+}
+
+/// What a window shows of a move takes some of its time: the run does not wait for it.
+void TestSession::drag_move_isComputedWhileItIsShown()
+{
+    FakePipeline pipeline;
+    Session session(pipeline);
+    session.reset(threeShots());
+    session.setFocus(StageId::Model);
+    QTRY_VERIFY(!session.isComputing());
+    const int before = pipeline.log->runs;
+    bool wasStale = false;
+    bool hasBegun = false;
+    connect(&session, &Session::recipeChanged, this, [&] { // no event is handled in here
+        wasStale = session.status(StageId::Model) != StageStatus::Done;
+        for (int i = 0; i < 5000 && !hasBegun; ++i, QThread::msleep(1))
+            hasBegun = pipeline.log->runs > before;
+    });
+    QSignalSpy standing(&session, &Session::stageStatusChanged);
+    session.apply(withOrder(session.recipe(), 5), "Order", "drag");
+    QVERIFY(wasStale && hasBegun);
+    QCOMPARE(standing.count(), 1);
+    QTRY_COMPARE(shownOrder(session), Index(5));
 }
 
 void TestSession::drag_rest_waitsForTheHand()

@@ -91,9 +91,9 @@ StagePage::StagePage(Session &session, const PageText &text, Page page)
                 (this->*what)();
         };
     };
-    connect(&session, &Session::recipeChanged, this, whenShown(&StagePage::showRecipeAndStatus));
+    connect(&session, &Session::recipeChanged, this, whenShown(&StagePage::showControls));
     connect(&session, &Session::capturesChanged, this, whenShown(&StagePage::refresh));
-    // The change of status that follows results shows how the page stands.
+    // The change of status that follows shows how the page stands.
     connect(&session, &Session::resultsChanged, this, whenShown(&StagePage::showContents));
     connect(&session, &Session::stageStatusChanged, this, whenShown(&StagePage::showStatus));
     connect(&session, &Session::sourcesChanged, this, whenShown(&StagePage::showStatus));
@@ -179,13 +179,6 @@ void StagePage::showStatus()
     const QUndoStack &undo = m_session.undoStack();
     m_wayBack->setVisible(isTold && !reasonWhyBlocked().isEmpty() && undo.canUndo());
     m_wayBack->setText(tr("Undo: %1").arg(undo.undoText()));
-}
-
-/// What is typed into the certificate changes how it stands, and computes nothing.
-void StagePage::showRecipeAndStatus()
-{
-    showControls();
-    showStatus();
 }
 
 void StagePage::showControls()

@@ -95,7 +95,6 @@ private:
     void showNotices();
     void setTablesEnabled(bool enabled);
     QString reasonWhyBlocked() const;
-    void showRecipeAndStatus();
 
     Session &m_session;
     PageText m_text;

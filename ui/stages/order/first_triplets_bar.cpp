@@ -50,7 +50,6 @@ FirstTripletsBar::FirstTripletsBar(Session &session, QWidget *parent)
     connect(m_cancel, &QPushButton::clicked, &session, &Session::cancelComputation);
     connect(m_compute, &QPushButton::clicked, &session, &Session::recompute);
     connect(&session, &Session::stageStatusChanged, this, &FirstTripletsBar::refresh);
-    connect(&session, &Session::recipeChanged, this, &FirstTripletsBar::refresh);
     connect(&session, &Session::progress, this,
         [this](double done) { m_progress->setValue(static_cast<int>(100.0 * done)); });
     refresh();
