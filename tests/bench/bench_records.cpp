@@ -13,6 +13,7 @@
 #include "tests/bench/recording.h"
 #include "ui/plot/curves/signal_curves.h"
 #include "ui/plot/values/plot_theme.h"
+#include "ui/plot/values/theme.h"
 #include "ui/plot/widget/plot_widget.h"
 
 #include <benchmark/benchmark.h>
