@@ -6,6 +6,7 @@
 #include "tests/support/trial_count.h"
 #include "tests/ui/support/layout_faults.h"
 #include "tests/ui/support/long_words.h"
+#include "tests/ui/support/still.h"
 #include "ui/session/example.h"
 #include "ui/shell/main_window.h"
 #include "ui/shell/preferences/theme_style.h"
@@ -60,27 +61,18 @@ Session::Pipeline sharedPipeline(const std::shared_ptr<ResultCache> &cache)
 /// A plot that was drawn may ask for more room, and so on; a title tells how far a reading is.
 void waitUntilLaidOut(const MainWindow &window)
 {
-    QList<QRect> before;
-    QStringList titlesBefore;
-    QElapsedTimer waited;
-    constexpr int kTheSame = 2; // times: on a busy machine a plot is drawn again after one look
-    int same = 0;
-    for (waited.start(); waited.elapsed() < kPatience_ms;) {
-        QTest::qWait(40);
-        QList<QRect> now;
+    const auto look = [&window] {
+        QList<QRect> places;
         QStringList titles;
         for (const PlotWidget *plot : window.findChildren<PlotWidget *>()) {
             if (!plot->isVisible())
                 continue;
-            now << plot->geometry() << plot->axesRect();
+            places << plot->geometry() << plot->axesRect();
             titles << plot->content().title;
         }
-        same = now == before && titles == titlesBefore ? same + 1 : 0;
-        if (same == kTheSame)
-            return;
-        before = now;
-        titlesBefore = titles;
-    }
+        return std::pair(places, titles);
+    };
+    test::waitUntilStill(look, kPatience_ms);
 }
 
 /// Gives every shot its own record once more, as that of a reference transducer with 94 % of the

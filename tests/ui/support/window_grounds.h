@@ -4,24 +4,23 @@
 #pragma once
 
 #include "tests/ui/support/layout_faults.h"
+#include "tests/ui/support/still.h"
 #include "ui/shell/preferences/language.h"
 #include "ui/shell/preferences/theme_style.h"
 
-#include <QTest>
-
 namespace dyncal::test {
 
-/// What cannot be read of a window once it is laid out: on a busy machine that may take some looks.
-inline QStringList faultsThatStay(QWidget &window)
+/// Words and layouts come by the event loop.
+inline void waitUntilLaidOut(const QWidget &window)
 {
-    constexpr int kSettle_ms = 100; // for words and layouts that come by the event loop
-    constexpr int kLooks = 5;
-    QStringList faults;
-    for (int look = 0; look < kLooks && (look == 0 || !faults.isEmpty()); ++look) {
-        QTest::qWait(kSettle_ms);
-        faults = LayoutFaults(window).found();
-    }
-    return faults;
+    constexpr int kPatience_ms = 5000;
+    const auto look = [&window] {
+        QList<QRect> places;
+        for (const QWidget *widget : window.findChildren<QWidget *>())
+            places << widget->geometry();
+        return places;
+    };
+    waitUntilStill(look, kPatience_ms);
 }
 
 /// What cannot be read of a window on every ground; DYNCAL_SHOTS=FOLDER keeps pictures.
@@ -31,7 +30,8 @@ inline QString faultsOnEveryGround(QWidget &window, const Language &language)
     const QString shots = qEnvironmentVariable("DYNCAL_SHOTS");
     for (const ThemeKind theme : {ThemeKind::Light, ThemeKind::Dark, ThemeKind::HighContrast}) {
         useTheme(theme);
-        faults += faultsThatStay(window);
+        waitUntilLaidOut(window);
+        faults += LayoutFaults(window).found();
         if (!shots.isEmpty())
             window.grab().save(
                 QString("%1/%2-%3-%4.png")

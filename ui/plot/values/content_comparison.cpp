@@ -50,14 +50,7 @@ bool isSameButDecorations(const PlotContent &a, const PlotContent &b)
 
 bool hasSameDecorations(const PlotContent &a, const PlotContent &b)
 {
-    return std::equal(a.marks.begin(), a.marks.end(), b.marks.begin(), b.marks.end(),
-               [](const PlotMark &x, const PlotMark &y) {
-                   return x.x == y.x && x.label == y.label && x.role == y.role;
-               })
-        && std::equal(a.levels.begin(), a.levels.end(), b.levels.begin(), b.levels.end(),
-            [](const PlotLevel &x, const PlotLevel &y) {
-                return x.y == y.y && x.label == y.label && x.role == y.role && x.from == y.from;
-            });
+    return a.marks == b.marks && a.levels == b.levels;
 }
 
 } // namespace dyncal

@@ -83,6 +83,8 @@ struct PlotMark
     double x = 0.0;
     QString label;
     CurveRole role = CurveRole::Reference;
+
+    bool operator==(const PlotMark &) const = default;
 };
 
 /// A horizontal line, e.g. a confidence bound; with `from` the end of a band that begins there.
@@ -92,6 +94,8 @@ struct PlotLevel
     QString label;
     CurveRole role = CurveRole::Reference;
     std::optional<double> from = {};
+
+    bool operator==(const PlotLevel &) const = default;
 };
 
 /// Everything that one plot shows. Built by the pure functions in ui/plot/curves from results.
