@@ -174,8 +174,11 @@ void addMeans(const ChainSubject &subject, ChainInputs &inputs)
 
 void addFactors(const ChainSubject &subject, ChainInputs &inputs)
 {
-    for (const UncertaintyLine &line : subject.report.chain.ofSensitivity)
+    for (const UncertaintyLine &line : subject.report.chain.ofSensitivity) {
         inputs.factors.push_back({drawn(inputs, sourceOf(line)), line.sensitivity < 0.0});
+        if (line.quantity == kMounting)
+            inputs.mounting = inputs.factors.back().x;
+    }
     if (subject.response.isWithoutChain)
         inputs.factors.push_back(
             {drawn(inputs, {kChainLevel, 0.0, subject.response.u_chainLowest_relative}), true,

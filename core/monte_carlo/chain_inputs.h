@@ -67,6 +67,7 @@ struct ChainInputs
     std::vector<ChainFactor> factors;
     DrawnInput clock; ///< relative, of frequencies and times
     DrawnInput front; ///< its duration, s
+    DrawnInput mounting; ///< one of the factors, which changes the model's shape, too
     DrawnInput drift; ///< error of a drift that was divided out, in its u
     Index weakMode = 0; ///< the source that decides whether a weak mode is the sensor's
 };

@@ -7,6 +7,7 @@
 #include "core/base/portable_random.h"
 #include "core/realization/model/model_description.h"
 #include "core/uncertainty/front_effect.h"
+#include "core/uncertainty/model_shape.h"
 #include "core/uncertainty/weak_modes.h"
 
 #include <algorithm>
@@ -119,7 +120,9 @@ CharacteristicValues ModelDraws::values(
 {
     const double front_s = std::max(0.0, m_inputs.front.value(probabilities));
     const bool withWeak = probabilities[m_inputs.weakMode] < 0.5;
-    const SensorModel moved = movedBy(m_wider * deltas(seed, trial), front_s, withWeak);
+    const SensorModel moved
+        = withMounting(movedBy(m_wider * deltas(seed, trial), front_s, withWeak),
+            m_inputs.mounting.value(probabilities));
     CharacteristicValues values = characteristicValues(moved, m_pair, m_subject.input.treatment);
     narrowPoles(values);
     addClock(m_inputs.clock.value(probabilities), values);

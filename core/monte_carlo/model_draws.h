@@ -26,7 +26,7 @@ public:
 
     static bool canDraw(const ChainSubject &subject);
 
-    /// `probabilities` of the sources: front, clock, weak mode.
+    /// `probabilities` of the sources: front, mounting, clock, weak mode.
     CharacteristicValues values(
         std::uint64_t seed, Index trial, const Eigen::VectorXd &probabilities) const;
 

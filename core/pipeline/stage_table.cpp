@@ -306,7 +306,7 @@ constexpr std::array<Stage, kStageCount> kStages{{
         kept<&R::checks, checks>(), of<&R::checks>},
     {Assessment, DYNCAL_TEXT("core", "model assessment"), 3, 10, "", Model, Model, true,
         readNothing, kept<&R::assessment, assessment>(), saidElsewhere},
-    {Uncertainty, DYNCAL_TEXT("core", "uncertainty"), 7, 20, "UNC-", Response, Uncertainty, true,
+    {Uncertainty, DYNCAL_TEXT("core", "uncertainty"), 8, 20, "UNC-", Response, Uncertainty, true,
         readUncertainty, kept<&R::uncertainty, uncertainty>(), of<&R::uncertainty>},
     {Comparison, DYNCAL_TEXT("core", "comparison"), 3, 5, "CMP-", Uncertainty, Comparison, true,
         readNothing, kept<&R::comparison, comparison>(), of<&R::comparison>},
@@ -314,7 +314,7 @@ constexpr std::array<Stage, kStageCount> kStages{{
         readEvidence, kept<&R::evidence, evidence>(), ofEvidence},
     {MonteCarlo, DYNCAL_TEXT("core", "Monte Carlo"), 1, 50, "", Shock, Shock, true, readMonteCarlo,
         kept<&R::monteCarlo, monteCarlo>(), of<&R::monteCarlo>},
-    {ChainMonteCarlo, DYNCAL_TEXT("core", "Monte Carlo of the chain"), 3, 2000, "", Uncertainty,
+    {ChainMonteCarlo, DYNCAL_TEXT("core", "Monte Carlo of the chain"), 4, 2000, "", Uncertainty,
         Uncertainty, false, readMonteCarlo, kept<&R::chainMonteCarlo, chainMonteCarlo>(),
         of<&R::chainMonteCarlo>},
 }};

@@ -46,10 +46,11 @@ UncertaintyLine divided(UncertaintyLine line)
 
 ChainEffects chainEffects(const std::vector<StatedUncertainty> &stated)
 {
+    const UncertaintyLine mounting = effect(stated, kMounting, 0.001, Distribution::Normal);
     return {{divided(effect(stated, "gain_relative", rectangle(0.005), Distribution::Rectangular)),
                 effect(stated, "linearity_relative", rectangle(0.001), Distribution::Rectangular),
-                effect(stated, "mounting_relative", 0.001, Distribution::Normal)},
-        effect(stated, "clock_relative", rectangle(50e-6), Distribution::Rectangular)};
+                mounting},
+        effect(stated, "clock_relative", rectangle(50e-6), Distribution::Rectangular), mounting};
 }
 
 UncertaintyLine frontLine(double frequency_Hz)

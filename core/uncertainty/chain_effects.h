@@ -19,11 +19,14 @@ struct ChainEffects
     /// +-0.5 %), "linearity_relative" (+-0.1 %), "mounting_relative" (0.1 %).
     std::vector<UncertaintyLine> ofSensitivity;
     UncertaintyLine clock; ///< "clock_relative", of every frequency and time: +-50 ppm
+    UncertaintyLine mounting; ///< that of ofSensitivity, which changes shapes too
 };
 
 /// Of the chain's response where a table of it is divided out: of a row, and of the sensitivity.
 inline constexpr const char *kChainResponse = "chain";
 inline constexpr const char *kChainLevel = "chain_relative";
+
+inline constexpr const char *kMounting = "mounting_relative";
 
 ChainEffects chainEffects(const std::vector<StatedUncertainty> &stated);
 

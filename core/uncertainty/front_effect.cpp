@@ -4,6 +4,7 @@
 #include "core/uncertainty/front_effect.h"
 
 #include "core/realization/exponentials/front.h"
+#include "core/uncertainty/model_shape.h"
 
 #include <algorithm>
 #include <cmath>
@@ -20,21 +21,9 @@ FrontRange frontRange(const FrontDuration &front)
 
 SensorModel withFront(const SensorModel &model, double from_s, double to_s)
 {
-    SensorModel changed;
-    changed.order = model.order;
-    changed.poles = model.poles;
-    changed.slowPoles = model.slowPoles;
-    changed.plateauGain = model.plateauGain;
-    changed.stepLevel = model.stepLevel;
-    changed.amplitudes = model.amplitudes;
-    changed.sensorStep = model.sensorStep;
-    const auto factor
-        = [&](std::complex<double> s) { return frontFactor(from_s, s) / frontFactor(to_s, s); };
-    for (Index i = 0; i < changed.amplitudes.size(); ++i)
-        changed.amplitudes[i] *= factor(model.poles[static_cast<std::size_t>(i)].s_rad_s);
-    for (Index i = 0; i < changed.sensorStep.amplitudes.size(); ++i)
-        changed.sensorStep.amplitudes[i] *= factor(model.sensorStep.poles_rad_s[i]);
-    return changed;
+    return withAmplitudes(model, [=](std::complex<double> s_rad_s) {
+        return frontFactor(from_s, s_rad_s) / frontFactor(to_s, s_rad_s);
+    });
 }
 
 FrontVariation frontVariation(const SensorModel &model, const FrontDuration &front)

@@ -22,7 +22,7 @@ struct FrontRange
 FrontRange frontRange(const FrontDuration &front);
 
 /// The model as it would be if the front had lasted `to_s` in place of `from_s`: what rings has
-/// other amplitudes (frontFactor()). Poles, level and amplitudes alone are filled in.
+/// other amplitudes (frontFactor()). As withAmplitudes().
 SensorModel withFront(const SensorModel &model, double from_s, double to_s);
 
 /// The model at both ends of the range of its front.

@@ -7,6 +7,7 @@
 #include "core/uncertainty/characteristic_values.h"
 #include "core/uncertainty/front_effect.h"
 #include "core/uncertainty/model_noise.h"
+#include "core/uncertainty/model_shape.h"
 #include "core/uncertainty/settling_spread.h"
 #include "core/uncertainty/weak_modes.h"
 
@@ -68,20 +69,42 @@ double *memberOf(Spread &u, double CharacteristicValues::*value)
     return &u[static_cast<std::size_t>(found - kCharacteristics.begin())];
 }
 
+using LineOfEach = std::array<UncertaintyLine, kCharacteristics.size()>;
+
 /// What the front does to every value, as lines without an amount where it does nothing.
-std::array<UncertaintyLine, kCharacteristics.size()> frontLines(const SensorModel &model,
-    const MainPair &pair, ResponseTreatment treatment, const FrontDuration &front)
+LineOfEach frontLines(const SensorModel &model, const MainPair &pair, ResponseTreatment treatment,
+    const FrontDuration &front)
 {
     const auto [range, shorterModel, longerModel] = frontVariation(model, front);
     const CharacteristicValues shorter = characteristicValues(shorterModel, pair, treatment);
     const CharacteristicValues longer = characteristicValues(longerModel, pair, treatment);
-    std::array<UncertaintyLine, kCharacteristics.size()> lines;
+    LineOfEach lines;
     for (std::size_t i = 0; i < kCharacteristics.size(); ++i) {
         const double change
             = (longer.*kCharacteristics[i].value - shorter.*kCharacteristics[i].value)
             / range.divisor;
         lines[i] = directLine(range.quantity,
             kCharacteristics[i].ofPoles || !std::isfinite(change) ? 0.0 : std::abs(change));
+    }
+    return lines;
+}
+
+/// What a level that the mounting takes part in does to every value; without a number where one
+/// does not exist at both ends of u.
+LineOfEach mountingLines(const SensorModel &model, const MainPair &pair,
+    ResponseTreatment treatment, const UncertaintyLine &mounting)
+{
+    constexpr double kWhereExact = 1e-4; // to tell what a u would do that is stated as 0
+    const double end = mounting.u > 0.0 ? mounting.u : kWhereExact;
+    const auto more = characteristicValues(withMounting(model, end), pair, treatment);
+    const auto less = characteristicValues(withMounting(model, -end), pair, treatment);
+    LineOfEach lines;
+    for (std::size_t i = 0; i < kCharacteristics.size(); ++i) {
+        const auto value = kCharacteristics[i].value;
+        lines[i] = mounting;
+        lines[i].correlated = {}; // with lines of the step and the chain, which shapes have not
+        lines[i].sensitivity = (more.*value - less.*value) / (2.0 * end);
+        lines[i].contribution = lines[i].sensitivity * mounting.u;
     }
     return lines;
 }
@@ -100,23 +123,44 @@ UncertaintyLine weakModeLine(double value, double without)
     return directLine("weak_mode", std::abs(value - without) / std::numbers::sqrt2);
 }
 
-/// Empty where u can be stated. `other`: the value without the weak modes.
-Message whyIncomplete(double u, double other)
+/// What a value depends on that is not the noise's and not the clock's; of one without amplitudes
+/// nothing.
+struct ShapeLines
+{
+    LineOfEach ofFront;
+    LineOfEach ofMounting;
+    std::optional<CharacteristicValues> withoutWeak;
+};
+
+/// Empty where u can be stated.
+Message whyIncomplete(double u, const ShapeLines *shape, std::size_t i)
 {
     if (!std::isfinite(u))
         return {DYNCAL_TEXT("core", "the model was not refined"), {}};
-    if (!std::isfinite(other))
+    if (shape && shape->withoutWeak
+        && !std::isfinite(*shape->withoutWeak.*kCharacteristics[i].value))
         return {DYNCAL_TEXT("core",
                     "an oscillation below 1 % of the step decides it, which may be the mount's"),
             {}};
+    if (shape && !std::isfinite(shape->ofMounting[i].contribution))
+        return {DYNCAL_TEXT("core", "what the mounting may add to the level decides it"), {}};
     return {};
+}
+
+void addShape(const ShapeLines &shape, std::size_t i, ReportedValue &value)
+{
+    value.lines.push_back(shape.ofFront[i]);
+    value.lines.push_back(shape.ofMounting[i]);
+    if (shape.withoutWeak)
+        value.lines.push_back(
+            weakModeLine(value.value, *shape.withoutWeak.*kCharacteristics[i].value));
 }
 
 } // namespace
 
 std::vector<ReportedValue> modelValues(const SensorModel &model, const ModelAssessment &assessment,
     const ResponseResult &response, const std::vector<ModelVariation> &variations,
-    ResponseTreatment treatment, const UncertaintyLine &clock)
+    ResponseTreatment treatment, const ChainEffects &chain)
 {
     const auto pair = mainPair(model, assessment);
     CharacteristicValues values = characteristicValues(model, pair, treatment);
@@ -133,8 +177,9 @@ std::vector<ReportedValue> modelValues(const SensorModel &model, const ModelAsse
         double &ofSettling_s = *memberOf(u, &CharacteristicValues::settlingTime_s);
         ofSettling_s = settlingSpread_s(model, variations, treatment, ofSettling_s, wider);
     }
-    const auto ofFront = frontLines(model, pair, treatment, response.front);
-    const auto withoutWeak = valuesWithoutWeak(model, pair, treatment);
+    const ShapeLines shape{frontLines(model, pair, treatment, response.front),
+        mountingLines(model, pair, treatment, chain.mounting),
+        valuesWithoutWeak(model, pair, treatment)};
     std::vector<ReportedValue> reported;
     for (std::size_t i = 0; i < kCharacteristics.size(); ++i) {
         ReportedValue one{kCharacteristics[i].of, values.*kCharacteristics[i].value,
@@ -142,17 +187,13 @@ std::vector<ReportedValue> modelValues(const SensorModel &model, const ModelAsse
         if (!std::isfinite(one.value))
             continue;
         const bool isShaped = !kCharacteristics[i].ofPoles && isStepTreatment(treatment);
-        const double other
-            = isShaped && withoutWeak ? *withoutWeak.*kCharacteristics[i].value : one.value;
-        one.missing = whyIncomplete(u[i], other);
+        one.missing = whyIncomplete(u[i], isShaped ? &shape : nullptr, i);
         if (*one.missing.text == '\0') {
             one.lines = {modelNoiseLine(u[i], model, assessment)};
             if (kCharacteristics[i].kind != CharacteristicKind::Number)
-                one.lines.push_back(scaled({clock}, one.value).front());
+                one.lines.push_back(scaled({chain.clock}, one.value).front());
             if (isShaped)
-                one.lines.push_back(ofFront[i]);
-            if (isShaped && withoutWeak)
-                one.lines.push_back(weakModeLine(one.value, other));
+                addShape(shape, i, one);
             combineLines(one);
         }
         reported.push_back(std::move(one));

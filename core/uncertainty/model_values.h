@@ -21,9 +21,10 @@ namespace dyncal {
 /// wider in proportion where the shots' scatter stands for the noise; "clock_relative" of
 /// frequencies and times; and of what depends on amplitudes the front, which changes those of the
 /// ringing by frontFactor(): "front_duration_s" by its u where it is stated, else "front_unknown"
-/// as in frontLine(). Without a refinement u is absent.
+/// as in frontLine(); "mounting_relative", withMounting() at both ends of its u; and "weak_mode"
+/// (withoutWeakModes()). Without a refinement u is absent.
 std::vector<ReportedValue> modelValues(const SensorModel &model, const ModelAssessment &assessment,
     const ResponseResult &response, const std::vector<ModelVariation> &variations,
-    ResponseTreatment treatment, const UncertaintyLine &clock);
+    ResponseTreatment treatment, const ChainEffects &chain);
 
 } // namespace dyncal

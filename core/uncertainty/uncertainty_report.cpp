@@ -237,7 +237,7 @@ UncertaintyReport reportUncertainty(const ModelInput &input, const SensorModel &
             shotValue(shot, shock.ofShot(shot.shot), model.draft.noise.dof, ofLevels));
     const std::vector<ModelVariation> variations = modelVariations(input, model);
     report.ofModel
-        = modelValues(model, assessment, response, variations, input.treatment, report.chain.clock);
+        = modelValues(model, assessment, response, variations, input.treatment, report.chain);
     report.amplitudes = poleAmplitudes(model, assessment, variations, response.front);
     const std::optional<CommonLines> common = commonLines(response, chain);
     report.rows = rowUncertainty(response, common, model, variations, input.treatment);

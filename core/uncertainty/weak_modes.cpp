@@ -3,9 +3,12 @@
 
 #include "core/uncertainty/weak_modes.h"
 
-#include "core/uncertainty/front_effect.h"
+#include "core/uncertainty/model_shape.h"
 
+#include <algorithm>
 #include <cmath>
+#include <complex>
+#include <vector>
 
 namespace dyncal {
 namespace {
@@ -23,28 +26,21 @@ bool isWeak(const SensorModel &model, std::size_t at)
         && 2.0 * std::abs(model.amplitudes[static_cast<Index>(at)]) < kWeakMode * levelOf(model);
 }
 
-void removeOfStep(std::complex<double> s_rad_s, ExponentialSum &step)
-{
-    for (Index i = 0; i < step.amplitudes.size(); ++i)
-        if (step.poles_rad_s[i] == s_rad_s)
-            step.amplitudes[i] = 0.0;
-}
-
 } // namespace
 
 std::optional<SensorModel> withoutWeakModes(
     const SensorModel &model, const std::pair<std::size_t, std::size_t> &main)
 {
-    std::optional<SensorModel> reduced;
-    for (std::size_t at = 0; at < static_cast<std::size_t>(model.amplitudes.size()); ++at) {
-        if (at == main.first || at == main.second || !isWeak(model, at))
-            continue;
-        if (!reduced)
-            reduced = withFront(model, 0.0, 0.0);
-        reduced->amplitudes[static_cast<Index>(at)] = 0.0;
-        removeOfStep(model.poles[at].s_rad_s, reduced->sensorStep);
-    }
-    return reduced;
+    std::vector<std::complex<double>> weak_rad_s;
+    for (std::size_t at = 0; at < static_cast<std::size_t>(model.amplitudes.size()); ++at)
+        if (at != main.first && at != main.second && isWeak(model, at))
+            weak_rad_s.push_back(model.poles[at].s_rad_s);
+    if (weak_rad_s.empty())
+        return std::nullopt;
+    return withAmplitudes(model, [&](std::complex<double> s_rad_s) {
+        const bool isOneOfThem = std::ranges::find(weak_rad_s, s_rad_s) != weak_rad_s.end();
+        return std::complex<double>(isOneOfThem ? 0.0 : 1.0);
+    });
 }
 
 } // namespace dyncal

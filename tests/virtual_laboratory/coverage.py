@@ -36,7 +36,7 @@ def drawn(sensor, shots, rng):
     lab.humidity = rng.uniform(0, 1)
     lab.noted.humidity = None if rng.random() < 0.5 else round(lab.humidity, 2)
     lab.recorder.clock = rng.uniform(-CLOCK, CLOCK)
-    common = (1 + rng.uniform(-GAIN, GAIN)) * (1 + rng.normal(0, MOUNTING))
+    common, lab.dut.seat = 1 + rng.uniform(-GAIN, GAIN), rng.normal(0, MOUNTING)
     lab.shots = [switches.ShotPlan(switches.SPEEDS[i % 3] * (1 + rng.normal(0, 0.003)), switches.LEVELS[i % 3])
                  for i in range(shots)]
     for plan in lab.shots:

@@ -31,10 +31,10 @@ class Record:
 
 
 def dut_system(dut, disturbed=True):
-    """Unit sensitivity; undisturbed by heat and mount it is what S(f) is of."""
+    """Unit sensitivity; undisturbed by seat, heat and mount it is what S(f) is of."""
     modes = response.parallel([response.mode(*m) for m in dut.modes])
     total = sum(m[2] for m in dut.modes)
-    modes.C = modes.C / total
+    modes.C, modes.D = modes.C / total, dut.seat if disturbed else 0.0
     system = response.series(response.lag(dut.lag_hz), modes) if dut.lag_hz else modes
     if dut.ac_s:
         system = response.series(response.ac_coupling(dut.ac_s), system)

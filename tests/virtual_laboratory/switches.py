@@ -36,6 +36,7 @@ class Dut:
     heat: list = field(default_factory=list)  # (share, tau)
     echo: list = field(default_factory=list)  # (share, delay)
     front: tuple = ("none", 0.0)  # kind, duration (of exponential and half_sine: 10-90 % rise)
+    seat: float = 0.0  # share of the pressure that its mounting adds, at once and at all frequencies
     mount: tuple = None  # share, f0, zeta of the wall that the step shakes (response.mount)
 
 

@@ -199,6 +199,14 @@ class Response(unittest.TestCase):
         ratio = laboratory.dut_system(dut).response([7e3]) / laboratory.dut_system(switches.Dut()).response([7e3])
         self.assertAlmostEqual(abs(ratio[0] - (1 + 0.005j / 0.06)), 0, delta=1e-12)
 
+    def test_seat_adds_to_the_level_and_does_not_ring(self):
+        plain, dut = switches.Dut(lag_hz=None), switches.Dut(seat=1e-3)
+        self.assertTrue(np.array_equal(laboratory.dut_system(dut, disturbed=False).response([7e3]),
+                                       laboratory.dut_system(plain).response([7e3])))
+        f = [1e2, 3e5, 2e6]
+        added = laboratory.dut_system(dut).response(f) - laboratory.dut_system(plain).response(f)
+        self.assertLess(np.abs(added - 1e-3).max(), 1e-15)
+
     def test_sweep_is_the_covered_share_of_a_disc(self):
         pressure = response.Pressure()
         pressure.sweep(0.0, 1.0, 2.0, 400)

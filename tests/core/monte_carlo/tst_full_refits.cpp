@@ -9,6 +9,7 @@
 #include "tests/support/calibrated_chain.h"
 #include "tests/support/damped_shots.h"
 #include "tests/support/realized_model.h"
+#include "tests/support/stated_chain.h"
 #include "tests/support/test_program.h"
 #include "tests/support/wide_response.h"
 
@@ -79,7 +80,7 @@ private slots:
         ResponseResult response = testing::wideOpen(of.model);
         UncertaintyReport report;
         report.ofModel = modelValues(of.model, of.assessment, response,
-            modelVariations(input, of.model), input.treatment, directLine("clock_relative", 0.0));
+            modelVariations(input, of.model), input.treatment, testing::statedChain());
         const ChainSubject subject{input, of.model, of.assessment, response,
             *m_chain->results.shock, report, m_chain->stated};
         const auto again = [&](const ModelInput &records, const JobControl &) {

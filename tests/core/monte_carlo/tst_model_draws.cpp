@@ -9,6 +9,7 @@
 #include "tests/support/damped_shots.h"
 #include "tests/support/near.h"
 #include "tests/support/realized_model.h"
+#include "tests/support/stated_chain.h"
 #include "tests/support/test_program.h"
 #include "tests/support/wide_response.h"
 
@@ -43,7 +44,7 @@ struct Fitted
         assessment = made->assessment;
         response = testing::wideOpen(model);
         response.front.u_s = 1e-15; // stated to be sharp
-        report.chain.clock = directLine("clock_relative", 0.0);
+        report.chain = testing::statedChain();
     }
 
     ChainSubject subject() const
@@ -92,7 +93,7 @@ private slots:
         const Fitted fitted(zeta);
         const auto reported = modelValues(fitted.model, fitted.assessment, fitted.response,
             modelVariations(fitted.input, fitted.model), fitted.input.treatment,
-            fitted.report.chain.clock);
+            fitted.report.chain);
         const auto values = fitted.draw(1500);
         for (const Characteristic &one : kCharacteristics) {
             const auto found = std::ranges::find(reported, std::string(one.of), &ReportedValue::of);
@@ -125,7 +126,7 @@ private slots:
     void clock_turnsFrequenciesAndTimes()
     {
         Fitted fitted(0.2, 1e-6);
-        fitted.report.chain.clock = directLine("clock_relative", 1e-3);
+        fitted.report.chain = testing::statedChain(1e-3);
         const auto values = fitted.draw(1500);
         const StepCharacteristics &found = fitted.response.characteristics;
         QVERIFY(isNear(drawn(values, &CharacteristicValues::f0_Hz, kF0_Hz).u, 1e-3 * kF0_Hz, 0.08));
@@ -148,10 +149,29 @@ private slots:
         QVERIFY(isNear(gain.high / 25.005 - 1.0, most * 0.975 * 0.975, 0.05));
     }
 
+    /// What is drawn of the mounting is what the budget has of it, in every value.
+    void mounting_changesTheShape()
+    {
+        Fitted fitted(0.2, 1e-6);
+        fitted.report.chain = testing::statedChain(0.0, 1e-3);
+        const auto reported = modelValues(fitted.model, fitted.assessment, fitted.response,
+            modelVariations(fitted.input, fitted.model), fitted.input.treatment,
+            fitted.report.chain);
+        const auto values = fitted.draw(1500);
+        for (const Characteristic &one : kCharacteristics) {
+            const auto found = std::ranges::find(reported, std::string(one.of), &ReportedValue::of);
+            if (found == reported.end() || one.value == &CharacteristicValues::settlingTime_s)
+                continue;
+            const double u = drawn(values, one.value, found->value).u;
+            qInfo("%s: %.3f of u", one.of, u / *found->u);
+            QVERIFY2(isNear(u, *found->u, 0.08), one.of);
+        }
+    }
+
     void noise_alone_hasNoneOfTheOthers()
     {
         Fitted fitted(0.2, 1e-6);
-        fitted.report.chain.clock = directLine("clock_relative", 0.1);
+        fitted.report.chain = testing::statedChain(0.1, 0.1);
         fitted.response.front = {};
         const ChainSubject subject = fitted.subject();
         const ChainInputs inputs = chainInputs(subject);

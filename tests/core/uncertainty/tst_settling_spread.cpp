@@ -14,6 +14,7 @@
 #include "tests/support/damped_shots.h"
 #include "tests/support/near.h"
 #include "tests/support/realized_model.h"
+#include "tests/support/stated_chain.h"
 #include "tests/support/test_program.h"
 #include "tests/support/trial_count.h"
 #include "tests/support/wide_response.h"
@@ -176,8 +177,7 @@ private slots:
     {
         const Made made = madeOf(dampingOf(4, 0.0502), 3, 0.005);
         const auto values = modelValues(made.model.model, made.model.assessment,
-            testing::wideOpen(made.model.model), made.variations, kStep,
-            directLine("clock_relative", 0.0));
+            testing::wideOpen(made.model.model), made.variations, kStep, testing::statedChain());
         const auto found
             = std::ranges::find(values, std::string("settling_time_s"), &ReportedValue::of);
         QVERIFY(found != values.end());

@@ -8,6 +8,7 @@
 #include "tests/support/damped_shots.h"
 #include "tests/support/near.h"
 #include "tests/support/realized_model.h"
+#include "tests/support/stated_chain.h"
 #include "tests/support/test_program.h"
 #include "tests/support/wide_response.h"
 
@@ -60,8 +61,7 @@ Shaken valuesOf(const ModelInput &input)
     const testing::RealizedModel made = *testing::realizeModel(input, *hankel, 4);
     return {made.model,
         modelValues(made.model, made.assessment, testing::wideOpen(made.model),
-            modelVariations(input, made.model), input.treatment,
-            directLine("clock_relative", 0.0))};
+            modelVariations(input, made.model), input.treatment, testing::statedChain())};
 }
 
 const UncertaintyLine *weakLine(const ReportedValue &value)
