@@ -89,8 +89,8 @@ LineOfEach frontLines(const SensorModel &model, const MainPair &pair, ResponseTr
     return lines;
 }
 
-/// What a level that the mounting takes part in does to every value; without a number where one
-/// does not exist at both ends of u.
+/// What a level that the mounting takes part in does to every value; without a number where the
+/// value does not exist at both ends of u.
 LineOfEach mountingLines(const SensorModel &model, const MainPair &pair,
     ResponseTreatment treatment, const UncertaintyLine &mounting)
 {
@@ -104,6 +104,8 @@ LineOfEach mountingLines(const SensorModel &model, const MainPair &pair,
         lines[i] = mounting;
         lines[i].correlated = {}; // with lines of the step and the chain, which shapes have not
         lines[i].sensitivity = (more.*value - less.*value) / (2.0 * end);
+        if (mounting.u == 0.0 && !std::isfinite(lines[i].sensitivity))
+            lines[i].sensitivity = 0.0;
         lines[i].contribution = lines[i].sensitivity * mounting.u;
     }
     return lines;

@@ -10,8 +10,9 @@ from scipy import optimize
 from audit_capability import Capability, with_line
 from audit_report import relative
 from audit_row import FRONT_S
-from audit_sensitivity import CLOCK_RELATIVE
+from audit_sensitivity import CHAIN, CLOCK_RELATIVE
 
+MOUNTING = CHAIN["mounting_relative"]
 STEP = 0.1  # of a parameter's u
 
 
@@ -32,6 +33,10 @@ class Oscillation:
         """As it would be if what was taken for a sharp step had risen for so long (docs/method/front.md)."""
         half = 0.5 * self.s * duration_s
         return Oscillation(self.s, self.c * half / np.sinh(half))
+
+    def with_level(self, added):
+        """Beside a level of which a share is not its own all that rings is smaller (docs/method/uncertainty.md)."""
+        return Oscillation(self.s, self.c / (1.0 + added))
 
     def first(self, values, axis, function):
         """Where `function` first changes its sign, to full precision."""
@@ -158,11 +163,13 @@ def check_characteristics(report, results, fit):
     names = [one["quantity"] for one in results["characteristics"] if one["quantity"] in values]
     u = u_of_characteristics(fit, tuple(names), 2.0 * f_max)
     later = middle.behind_front(FRONT_S).characteristics(2.0 * f_max)
+    more, less = (middle.with_level(added).characteristics(2.0 * f_max) for added in (MOUNTING, -MOUNTING))
     for name, noise in zip(names, u):
         stated = next(one for one in results["characteristics"] if one["quantity"] == name)
         lines = {line["quantity"]: line["contribution"] for line in results["budget"] if line["of"] == name}
         front = abs(later[name] - values[name]) / np.sqrt(5.0)
-        expected = {"noise": (noise, fit.dof()), "front_unknown": (front, np.inf)}
+        expected = {"noise": (noise, fit.dof()), "front_unknown": (front, np.inf),
+                    "mounting_relative": (0.5 * (more[name] - less[name]), np.inf)}
         if name.endswith(("_hz", "_s")):
             expected["clock_relative"] = values[name] * CLOCK_RELATIVE, np.inf
         expected = with_line(expected, capability.least(name, values[name]))

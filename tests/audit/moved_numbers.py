@@ -78,7 +78,8 @@ def moves_of_lines(results, last):
     wanted = [("sensitivity", name) for name in ("gain_relative", "t1_k", "reference_sensitivity_relative",
                                                  "reference_level_relative", "chain_relative", "cmc")]
     wanted += [("f0_hz", "noise"), ("f0_hz", "cmc"), ("within_5_percent_hz", "noise"),
-               ("overshoot_percent", "front_unknown"), (f"response.magnitude[{last}]", "front_unknown")]
+               ("overshoot_percent", "front_unknown"), ("minus_3_db_hz", "mounting_relative"),
+               (f"response.magnitude[{last}]", "front_unknown")]
     wanted += [(f"response.{of}[5]", name) for of, names in (
         ("magnitude", ("noise", "chain", "reference_sensitivity", "reference_gain_relative", "cmc")),
         ("phase_rad", ("onset_s", "chain_phase", "reference_phase", "delay_of_reference", "cmc"))) for name in names]

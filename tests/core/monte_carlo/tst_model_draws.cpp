@@ -52,6 +52,12 @@ struct Fitted
         return {input, model, assessment, response, shock, report, stated};
     }
 
+    std::vector<ReportedValue> reported() const
+    {
+        return modelValues(model, assessment, response, modelVariations(input, model),
+            input.treatment, report.chain);
+    }
+
     std::vector<CharacteristicValues> draw(Index trials) const
     {
         const ChainSubject all = subject();
@@ -91,9 +97,7 @@ private slots:
     {
         QFETCH(double, zeta);
         const Fitted fitted(zeta);
-        const auto reported = modelValues(fitted.model, fitted.assessment, fitted.response,
-            modelVariations(fitted.input, fitted.model), fitted.input.treatment,
-            fitted.report.chain);
+        const auto reported = fitted.reported();
         const auto values = fitted.draw(1500);
         for (const Characteristic &one : kCharacteristics) {
             const auto found = std::ranges::find(reported, std::string(one.of), &ReportedValue::of);
@@ -154,9 +158,7 @@ private slots:
     {
         Fitted fitted(0.2, 1e-6);
         fitted.report.chain = testing::statedChain(0.0, 1e-3);
-        const auto reported = modelValues(fitted.model, fitted.assessment, fitted.response,
-            modelVariations(fitted.input, fitted.model), fitted.input.treatment,
-            fitted.report.chain);
+        const auto reported = fitted.reported();
         const auto values = fitted.draw(1500);
         for (const Characteristic &one : kCharacteristics) {
             const auto found = std::ranges::find(reported, std::string(one.of), &ReportedValue::of);
