@@ -57,6 +57,7 @@ std::optional<ResonancePeak> resonancePeak(
 {
     constexpr double kGolden = 0.6180339887498949;
     constexpr int kRounds = 80;
+    constexpr double kInside = 1.0 - 1e-6; // of the range: at its end |S| goes on rising
     if (!(zeta < std::numbers::sqrt2 / 2.0))
         return std::nullopt;
     const auto gain = [&](double f_Hz) {
@@ -73,6 +74,8 @@ std::optional<ResonancePeak> resonancePeak(
         (isRising ? low : high) = isRising ? left : right;
     }
     const double top_Hz = 0.5 * (low + high);
+    if (std::abs(top_Hz - centre_Hz) > kInside * reach_Hz)
+        return std::nullopt;
     return ResonancePeak{top_Hz, gain(top_Hz)};
 }
 

@@ -46,11 +46,15 @@ UncertaintyLine divided(UncertaintyLine line)
 
 ChainEffects chainEffects(const std::vector<StatedUncertainty> &stated)
 {
-    const UncertaintyLine mounting = effect(stated, kMounting, 0.001, Distribution::Normal);
     return {{divided(effect(stated, "gain_relative", rectangle(0.005), Distribution::Rectangular)),
                 effect(stated, "linearity_relative", rectangle(0.001), Distribution::Rectangular),
-                mounting},
-        effect(stated, "clock_relative", rectangle(50e-6), Distribution::Rectangular), mounting};
+                effect(stated, kMounting, 0.001, Distribution::Normal)},
+        effect(stated, "clock_relative", rectangle(50e-6), Distribution::Rectangular)};
+}
+
+const UncertaintyLine &mountingOf(const ChainEffects &chain)
+{
+    return *std::ranges::find(chain.ofSensitivity, kMounting, &UncertaintyLine::quantity);
 }
 
 UncertaintyLine frontLine(double frequency_Hz)

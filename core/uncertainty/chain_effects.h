@@ -19,7 +19,6 @@ struct ChainEffects
     /// +-0.5 %), "linearity_relative" (+-0.1 %), "mounting_relative" (0.1 %).
     std::vector<UncertaintyLine> ofSensitivity;
     UncertaintyLine clock; ///< "clock_relative", of every frequency and time: +-50 ppm
-    UncertaintyLine mounting; ///< that of ofSensitivity, which changes shapes too
 };
 
 /// Of the chain's response where a table of it is divided out: of a row, and of the sensitivity.
@@ -29,6 +28,9 @@ inline constexpr const char *kChainLevel = "chain_relative";
 inline constexpr const char *kMounting = "mounting_relative";
 
 ChainEffects chainEffects(const std::vector<StatedUncertainty> &stated);
+
+/// The line of ofSensitivity that changes shapes, too: kMounting, which every chain has.
+const UncertaintyLine &mountingOf(const ChainEffects &chain);
 
 /// "front_unknown": by what |S| at one frequency may be larger than stated, relative, because of
 /// such a front, anything from 0 to kUnstatedFront_s: with g = 1/sinc(f T) - 1 at its end, g T^2

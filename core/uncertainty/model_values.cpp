@@ -180,7 +180,7 @@ std::vector<ReportedValue> modelValues(const SensorModel &model, const ModelAsse
         ofSettling_s = settlingSpread_s(model, variations, treatment, ofSettling_s, wider);
     }
     const ShapeLines shape{frontLines(model, pair, treatment, response.front),
-        mountingLines(model, pair, treatment, chain.mounting),
+        mountingLines(model, pair, treatment, mountingOf(chain)),
         valuesWithoutWeak(model, pair, treatment)};
     std::vector<ReportedValue> reported;
     for (std::size_t i = 0; i < kCharacteristics.size(); ++i) {

@@ -8,10 +8,10 @@
 namespace dyncal::trials {
 
 /// How often a test repeats itself: `inSuite` in ./test, `inLongForm` where the environment sets
-/// DYNCAL_LONG (`.ci/long`, or `ctest --test-dir build-release -C Long -L long -R NAME`).
+/// DYNCAL_LONG to anything (`.ci/long`, `ctest --test-dir build-release -C Long -L long -R NAME`).
 inline int count(int inSuite, int inLongForm)
 {
-    return qEnvironmentVariableIsSet("DYNCAL_LONG") ? inLongForm : inSuite;
+    return qEnvironmentVariableIsEmpty("DYNCAL_LONG") ? inSuite : inLongForm;
 }
 
 } // namespace dyncal::trials

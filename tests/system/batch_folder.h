@@ -25,7 +25,7 @@ inline QMap<QString, QPair<qint64, QByteArray>> filesBelow(const QString &folder
          entry.hasNext();) {
         const QFileInfo file = entry.nextFileInfo();
         files[QDir(folder).relativeFilePath(file.filePath())]
-            = {file.lastModified().toMSecsSinceEpoch(), fileBytes(file.filePath())};
+            = {file.lastModified().toMSecsSinceEpoch(), bytesOf(file.filePath())};
     }
     return files;
 }
@@ -82,7 +82,7 @@ struct BatchFolder
         runDyncal(
             QStringList{"batch", "merge", path("night.jsonl"), "-o", path("night.csv")} + more,
             kEpoch);
-        return fileBytes(path("night.csv"));
+        return bytesOf(path("night.csv"));
     }
     QString results(int i) const { return path(QString("night.out/SN-%1/calibration").arg(i)); }
 };
@@ -101,7 +101,7 @@ inline void start(QProcess &process, const BatchFolder &batch)
 inline QList<qint64> childrenOf(qint64 process)
 {
     QList<qint64> children;
-    const QByteArray list = fileBytes(QString("/proc/%1/task/%1/children").arg(process));
+    const QByteArray list = bytesOf(QString("/proc/%1/task/%1/children").arg(process));
     for (const QByteArray &word : list.split(' '))
         if (const qint64 child = word.toLongLong())
             children << child;

@@ -3,6 +3,8 @@
 
 #pragma once
 
+#include "tests/support/file_bytes.h"
+
 #include <QElapsedTimer>
 #include <QFile>
 #include <QJsonDocument>
@@ -14,6 +16,9 @@
 #include <sys/resource.h>
 
 #include <cstdint>
+
+using dyncal::testing::bytesOf;
+using dyncal::testing::writeBytes;
 
 /// What one call of the program answered.
 struct Answer
@@ -66,16 +71,10 @@ inline Answer runDyncal(
     return answer;
 }
 
-inline QByteArray fileBytes(const QString &path)
-{
-    QFile file(path);
-    return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
-}
-
 /// Whether a process ignores ("SigIgn") or blocks ("SigBlk") a signal, as the kernel says.
 inline bool hasSignalIn(const char *set, qint64 process, int number)
 {
-    const QByteArray status = fileBytes(QString("/proc/%1/status").arg(process));
+    const QByteArray status = bytesOf(QString("/proc/%1/status").arg(process));
     const QByteArray key = QByteArray(set) + ":\t";
     const qsizetype mask = status.indexOf(key);
     return mask >= 0
@@ -97,11 +96,5 @@ inline bool waitUntilAwaited(const QProcess &process, int number)
 
 inline QJsonObject fileJson(const QString &path)
 {
-    return QJsonDocument::fromJson(fileBytes(path)).object();
-}
-
-inline bool writeBytes(const QString &path, const QByteArray &bytes)
-{
-    QFile file(path);
-    return file.open(QIODevice::WriteOnly) && file.write(bytes) == bytes.size();
+    return QJsonDocument::fromJson(bytesOf(path)).object();
 }

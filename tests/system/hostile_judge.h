@@ -28,7 +28,7 @@ inline void judge(const Answer &answer, const std::string &text)
 inline QByteArray readableBytes(const QString &file)
 {
     if (!file.endsWith(".pdf"))
-        return fileBytes(file);
+        return bytesOf(file);
     QProcess toText;
     toText.start("pdftotext", {"-layout", file, "-"});
     if (!toText.waitForFinished(60000))

@@ -88,7 +88,7 @@ inline QMap<QString, QByteArray> bytesBelow(const QString &folder)
     for (QDirIterator entry(folder, QDir::Files | QDir::Hidden, QDirIterator::Subdirectories);
          entry.hasNext();) {
         const QString file = entry.next();
-        files[QDir(folder).relativeFilePath(file)] = fileBytes(file);
+        files[QDir(folder).relativeFilePath(file)] = bytesOf(file);
     }
     return files;
 }

@@ -28,7 +28,7 @@ inline std::set<std::string> ownFiles(
         for (const auto &file : files) {
             const QString name = file.toObject()["file"].toString();
             const QByteArray hash
-                = QCryptographicHash::hash(fileBytes(path + name), QCryptographicHash::Sha256);
+                = QCryptographicHash::hash(bytesOf(path + name), QCryptographicHash::Sha256);
             if (file.toObject()["sha256"].toString() == QString(hash.toHex()))
                 own.insert(base + name.toStdString());
         }

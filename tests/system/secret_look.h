@@ -43,7 +43,7 @@ public:
 private:
     static QByteArray ofProcess(qint64 process, const char *what)
     {
-        return fileBytes(QString("/proc/%1/%2").arg(process).arg(QLatin1String(what)));
+        return bytesOf(QString("/proc/%1/%2").arg(process).arg(QLatin1String(what)));
     }
 
     /// The process and all below it, as the kernel says now.

@@ -88,7 +88,7 @@ void TestBatch::night_goodClippedAndCorrupt_givesSevenRows()
                  .exitCode,
         0);
     QVERIFY(writeBytes(
-        batch.path("in/corrupt/shot.h5"), fileBytes(m_simulated.filePath("1.h5")).left(50000)));
+        batch.path("in/corrupt/shot.h5"), bytesOf(m_simulated.filePath("1.h5")).left(50000)));
     QCOMPARE(batch.plan().exitCode, 0);
     const Answer answer = batch.run({"--jobs", "2"});
     QCOMPARE(answer.exitCode, 2);
@@ -96,7 +96,7 @@ void TestBatch::night_goodClippedAndCorrupt_givesSevenRows()
     const Answer merged = runDyncal(
         {"batch", "merge", batch.path("night.jsonl"), "-o", batch.path("night.csv")}, kEpoch);
     QCOMPARE(merged.exitCode, 2);
-    const QByteArrayList rows = fileBytes(batch.path("night.csv")).trimmed().split('\n');
+    const QByteArrayList rows = bytesOf(batch.path("night.csv")).trimmed().split('\n');
     QCOMPARE(rows.size(), qsizetype(8));
     QVERIFY(rows[6].startsWith("clipped,"));
     QVERIFY2(!rows[6].startsWith("clipped,done"), rows[6].constData());
@@ -220,7 +220,7 @@ void TestBatch::otherMethods_areRefused()
 {
     const BatchFolder batch;
     prepare(batch, true);
-    const QByteArray plan = fileBytes(batch.path("night.jsonl"));
+    const QByteArray plan = bytesOf(batch.path("night.jsonl"));
     QVERIFY(writeBytes(
         batch.path("night.jsonl"), QByteArray(plan).replace("\"window\":", "\"window\":9")));
     QCOMPARE(batch.status()["missing"].toInt(), kSensors);
@@ -228,7 +228,7 @@ void TestBatch::otherMethods_areRefused()
     QCOMPARE(refused.exitCode, 4);
     QVERIFY(refused.err.contains("methods"));
     QCOMPARE(batch.plan().exitCode, 0);
-    QCOMPARE(fileBytes(batch.path("night.jsonl")), plan);
+    QCOMPARE(bytesOf(batch.path("night.jsonl")), plan);
     QVERIFY(batch.run().out.endsWith("Computed 0, kept 6\n"));
 }
 
@@ -237,7 +237,7 @@ void TestBatch::damagedResults_areSetAsideAndComputedAgain()
     const BatchFolder batch;
     prepare(batch, true);
     const QByteArray summary = batch.summary();
-    const QByteArray results = fileBytes(batch.results(4) + "/results.json");
+    const QByteArray results = bytesOf(batch.results(4) + "/results.json");
     QVERIFY(writeBytes(batch.results(4) + "/results.json", "changed by hand"));
     QVERIFY(QFile::remove(batch.results(2) + "/certificate.pdf"));
     const Answer again = batch.run();
@@ -245,9 +245,9 @@ void TestBatch::damagedResults_areSetAsideAndComputedAgain()
     QVERIFY2(again.out.endsWith("Computed 2, kept 4\n"), again.out.constData());
     QVERIFY(again.err.contains("SN-4: "));
     QVERIFY(again.err.contains("calibration.damaged-1"));
-    QCOMPARE(fileBytes(batch.path("night.out/SN-4/calibration.damaged-1/results.json")),
+    QCOMPARE(bytesOf(batch.path("night.out/SN-4/calibration.damaged-1/results.json")),
         QByteArray("changed by hand"));
-    QCOMPARE(fileBytes(batch.results(4) + "/results.json"), results);
+    QCOMPARE(bytesOf(batch.results(4) + "/results.json"), results);
     QVERIFY(QFile::exists(batch.results(2) + "/certificate.pdf"));
     QCOMPARE(batch.summary(), summary);
 }
@@ -262,7 +262,7 @@ void TestBatch::otherMountPoint_givesTheSameSummary()
     const QString plan = there.path("mnt/share/night.jsonl");
     QCOMPARE(runDyncal({"batch", "run", plan}, {"SOURCE_DATE_EPOCH=1900000000"}).exitCode, 0);
     QCOMPARE(runDyncal({"batch", "merge", plan, "-o", there.path("there.csv")}).exitCode, 0);
-    QCOMPARE(fileBytes(there.path("there.csv")), here.summary());
+    QCOMPARE(bytesOf(there.path("there.csv")), here.summary());
     // Results computed there are complete here: times differ, content does not.
     const BatchFolder back;
     QVERIFY(copyFolder(there.path("mnt/share"), back.folder.path()));
@@ -419,7 +419,7 @@ void TestBatch::scripts_runTheBatch()
         job.start(runWith.first(), runWith.mid(1) + QStringList{batch.path("job")});
         QVERIFY(job.waitForFinished(240000));
         QVERIFY2(job.exitCode() == 0, job.readAllStandardError().constData());
-        QCOMPARE(fileBytes(batch.path("night.csv")).count('\n'), kSensors + 1);
+        QCOMPARE(bytesOf(batch.path("night.csv")).count('\n'), kSensors + 1);
         if (time > 0)
             QVERIFY(filesBelow(batch.path("night.out")) == before);
     }

@@ -28,8 +28,8 @@ bool ageResults(const BatchFolder &batch, std::size_t sensor)
     older.methods["model"] -= 1;
     const QString folder = batch.path(QString::fromStdString(older.output) + "/calibration/");
     const QByteArray record
-        = fileBytes(folder + "batch.json").replace(key.c_str(), dyncal::sensorKey(older).c_str());
-    auto list = dyncal::parseWrittenList(fileBytes(folder + "written.json").toStdString());
+        = bytesOf(folder + "batch.json").replace(key.c_str(), dyncal::sensorKey(older).c_str());
+    auto list = dyncal::parseWrittenList(bytesOf(folder + "written.json").toStdString());
     if (!list)
         return false;
     const auto entry = std::ranges::find(*list, "batch.json", &dyncal::WrittenFile::file);

@@ -134,7 +134,7 @@ private slots:
         QVERIFY(QDir(path("laboratory")).removeRecursively());
         const Answer again = runSmall("again", {"--recipe", path("moved/recipe.json")});
         QVERIFY2(again.exitCode <= 1, again.err);
-        QCOMPARE(fileBytes(path("again/results.json")), fileBytes(path("moved/results.json")));
+        QCOMPARE(bytesOf(path("again/results.json")), bytesOf(path("moved/results.json")));
         QCOMPARE(QDir(path("again/sources")).entryList(QDir::Files),
             QDir(path("moved/sources")).entryList(QDir::Files));
         const Answer without = runSmall("again"); // a run that needs none leaves none
@@ -200,7 +200,7 @@ private slots:
                  "a/csv/frequency_response.csv"})
             QVERIFY2(QFile::exists(path(name)), name);
         QVERIFY(!QDir(path("a/plots")).entryList({"*.svg"}).isEmpty());
-        QVERIFY(fileBytes(path("a/certificate.pdf")).startsWith("%PDF-"));
+        QVERIFY(bytesOf(path("a/certificate.pdf")).startsWith("%PDF-"));
         QVERIFY(QDir(path("files")).entryList({"*.part*"}, QDir::Files | QDir::Hidden).isEmpty());
     }
 
@@ -217,19 +217,19 @@ private slots:
                     kEpoch + QStringList{"LC_ALL=sv_SE.UTF-8", "LANG=sv_SE.UTF-8"})
                     .exitCode
             <= 1);
-        QVERIFY(!fileBytes(path("a/results.json")).isEmpty());
-        QVERIFY(fileBytes(path("a/results.json")) == fileBytes(path("b/results.json")));
+        QVERIFY(!bytesOf(path("a/results.json")).isEmpty());
+        QVERIFY(bytesOf(path("a/results.json")) == bytesOf(path("b/results.json")));
         const QStringList tables = QDir(path("a/csv")).entryList(QDir::Files);
         QVERIFY(!tables.isEmpty());
         for (const QString &name : tables)
-            QVERIFY2(fileBytes(path("a/csv/") + name) == fileBytes(path("b/csv/") + name),
-                qPrintable(name));
+            QVERIFY2(
+                bytesOf(path("a/csv/") + name) == bytesOf(path("b/csv/") + name), qPrintable(name));
     }
 
     void recipeAsUsed_repeatsTheRun()
     {
         QVERIFY(runExample("again", {"--recipe", path("a/recipe.json")}).exitCode <= 1);
-        QVERIFY(fileBytes(path("a/results.json")) == fileBytes(path("again/results.json")));
+        QVERIFY(bytesOf(path("a/results.json")) == bytesOf(path("again/results.json")));
     }
 
     void orderAskedFor_isUsedAndTheSuggestionStays()
@@ -328,8 +328,8 @@ private slots:
         QVERIFY(runDyncal(QStringList{"run", path("small.h5"), "-o", folder} + quickly()).exitCode
             <= 1);
         QVERIFY(QFile::exists(folder + "/results.json"));
-        QCOMPARE(fileBytes(folder + "/certificate.pdf.note"), QByteArray("mine"));
-        QCOMPARE(fileBytes(folder + "/csv/mine.csv"), QByteArray("mine"));
+        QCOMPARE(bytesOf(folder + "/certificate.pdf.note"), QByteArray("mine"));
+        QCOMPARE(bytesOf(folder + "/csv/mine.csv"), QByteArray("mine"));
     }
 };
 

@@ -82,7 +82,7 @@ private slots:
             {"import", simulated("whole.h5"), option, recipe, "-o", recipe, "--replace"});
         QCOMPARE(answer.exitCode, 4);
         QVERIFY2(answer.err.contains("own.json is one of the inputs"), answer.err);
-        QCOMPARE(fileBytes(recipe), QByteArray("{}"));
+        QCOMPARE(bytesOf(recipe), QByteArray("{}"));
         QVERIFY(QFile::remove(path("whole.h5")));
     }
 
@@ -211,17 +211,17 @@ private slots:
     void import_neverOverwrites()
     {
         const QString table = writeTable("source.csv", 1.0, "V");
-        const QByteArray before = fileBytes(table);
+        const QByteArray before = bytesOf(table);
         const Answer onItself = runDyncal({"import", table, "-o", table});
         QCOMPARE(onItself.exitCode, 4);
         QVERIFY2(onItself.err.contains("one of the inputs"), onItself.err);
-        QVERIFY(fileBytes(table) == before);
+        QVERIFY(bytesOf(table) == before);
         QVERIFY(runDyncal({"import", table, "-o", path("once.h5")}).exitCode <= 1);
-        const QByteArray written = fileBytes(path("once.h5"));
+        const QByteArray written = bytesOf(path("once.h5"));
         const Answer again = runDyncal({"import", table, "-o", path("once.h5")});
         QCOMPARE(again.exitCode, 4);
         QVERIFY2(again.err.contains("written once"), again.err);
-        QVERIFY(fileBytes(path("once.h5")) == written);
+        QVERIFY(bytesOf(path("once.h5")) == written);
     }
 
     void import_samplesAreThoseOfTheSource()

@@ -176,7 +176,7 @@ private slots:
             == 0);
         const Answer answer = runDyncal({"run", path("small.h5"), "-o", path("taken")});
         verifyRefusal(answer, 4, "taken");
-        QCOMPARE(fileBytes(path("taken")), QByteArray("x"));
+        QCOMPARE(bytesOf(path("taken")), QByteArray("x"));
     }
 
     void fullStandardOutput_isNotTakenForSuccess()

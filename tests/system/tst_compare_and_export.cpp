@@ -165,7 +165,7 @@ private slots:
         QCOMPARE(names, QDir(run + "/model").entryList(QDir::Files));
         QVERIFY(names.contains("model.mat") && names.contains("model.py"));
         for (const QString &name : names)
-            QCOMPARE(fileBytes(out + "/" + name), fileBytes(run + "/model/" + name));
+            QCOMPARE(bytesOf(out + "/" + name), bytesOf(run + "/model/" + name));
         QCOMPARE(answer.out.trimmed().split('\n').size(), names.size());
     }
 
@@ -219,7 +219,7 @@ private slots:
     void export_ofAProject_takesItsRecipe()
     {
         const QByteArray sha256
-            = QCryptographicHash::hash(fileBytes(m_capture), QCryptographicHash::Sha256).toHex();
+            = QCryptographicHash::hash(bytesOf(m_capture), QCryptographicHash::Sha256).toHex();
         QVERIFY(writeBytes(path("job.dyncal"),
             R"({"format": "dyncal-project", "version": 2, "recipe": {"realization": {"order": 4},
                 "uncertainty": {"monte_carlo_trials": 100}},
@@ -251,7 +251,7 @@ private slots:
 
     void changedCapture_isBlockedInEveryVerb()
     {
-        QByteArray bytes = fileBytes(m_capture);
+        QByteArray bytes = bytesOf(m_capture);
         const qsizetype creator = bytes.indexOf("dyncal ");
         QVERIFY(creator > 0);
         bytes[creator] = 'D';

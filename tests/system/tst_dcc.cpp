@@ -41,8 +41,8 @@ private slots:
     {
         QVERIFY(run("shot.h5", "first").exitCode <= 1);
         QVERIFY(run("shot.h5", "second").exitCode <= 1);
-        QVERIFY(fileBytes(path("first/dcc.xml")) == fileBytes(path("second/dcc.xml")));
-        QVERIFY(!fileBytes(path("first/dcc.xml")).contains(m_folder.path().toUtf8()));
+        QVERIFY(bytesOf(path("first/dcc.xml")) == bytesOf(path("second/dcc.xml")));
+        QVERIFY(!bytesOf(path("first/dcc.xml")).contains(m_folder.path().toUtf8()));
     }
 
     /// A number that is moved in any of the three files is found.
@@ -58,7 +58,7 @@ private slots:
     {
         QFETCH(QByteArray, element);
         QVERIFY(QFile::exists(path("first/dcc.xml")));
-        QByteArray xml = fileBytes(path("first/dcc.xml"));
+        QByteArray xml = bytesOf(path("first/dcc.xml"));
         const QByteArray whole = xml;
         const QByteArray begin = '<' + element + '>';
         const qsizetype results = xml.indexOf("<dcc:results>");
@@ -81,10 +81,10 @@ private slots:
             const QString folder = job.output() + "/1";
             QCOMPARE(faultsOf(folder), QByteArray());
             QCOMPARE(missingNumbers(folder, "en"), QByteArray());
-            const QByteArray xml = fileBytes(folder + "/dcc.xml");
+            const QByteArray xml = bytesOf(folder + "/dcc.xml");
             QVERIFY(xml.contains("<dcc:uniqueIdentifier>1</dcc:uniqueIdentifier>"));
             const QJsonDocument manifest
-                = QJsonDocument::fromJson(fileBytes(folder + "/manifest.json"));
+                = QJsonDocument::fromJson(bytesOf(folder + "/manifest.json"));
             QVERIFY(xml.contains(manifest["head"].toString().toUtf8()));
             QVERIFY(!xml.contains("dyncal_draft\""));
             QVERIFY(manifest["files"].toObject().contains("dcc.xml"));
@@ -116,7 +116,7 @@ private slots:
         const Answer with = stated.issue();
         QCOMPARE(with.exitCode, 0);
         QVERIFY2(!with.err.contains("CER-010"), with.err);
-        const QByteArray xml = fileBytes(stated.output() + "/1/dcc.xml");
+        const QByteArray xml = bytesOf(stated.output() + "/1/dcc.xml");
         QVERIFY(xml.contains("<dcc:countryCodeISO3166_1>SE<"));
         QVERIFY(xml.contains("<dcc:countryCode>NO<"));
         QCOMPARE(runDyncal({"dcc", "check", stated.output() + "/1/dcc.xml"}).exitCode, 0);

@@ -95,7 +95,7 @@ private slots:
     void flippedBit_isNeverValid()
     {
         QFETCH(QString, file);
-        const QByteArray whole = fileBytes(issued() + '/' + file);
+        const QByteArray whole = bytesOf(issued() + '/' + file);
         std::mt19937_64 random(static_cast<std::uint64_t>(whole.size()));
         constexpr int kTogether = 50; // by one process, whose start would take longest
         int notCovered = 0;

@@ -49,7 +49,7 @@ private slots:
         QVERIFY(m_job.begin(m_simulated.filePath("shot.h5")));
         const Answer issued = m_job.issue({"--by", "A. Berg"});
         QVERIFY2(issued.exitCode <= 1, issued.out + issued.err);
-        m_issued = fileBytes(certificate() + "/results.json");
+        m_issued = bytesOf(certificate() + "/results.json");
         QVERIFY(!m_issued.isEmpty());
     }
 
@@ -146,12 +146,12 @@ void TestHistory::csv_isWritten()
     const Answer answer = runDyncal({"history", folder.path(), "-o", csv});
     QVERIFY2(answer.exitCode == 0, answer.out + answer.err);
     QVERIFY(answer.out.contains("Written:"));
-    const QByteArray text = fileBytes(csv);
+    const QByteArray text = bytesOf(csv);
     QVERIFY(
         text.startsWith("quantity,frequency_hz,unit,time,certificate,value,u,k,u_expanded,e_n"));
     QCOMPARE(text.count('\n'), 1 + 3 * 2);
     QVERIFY(runDyncal({"history", folder.path(), "-o", csv}).exitCode == 0); // its own is replaced
-    QCOMPARE(fileBytes(csv), text);
+    QCOMPARE(bytesOf(csv), text);
 }
 
 void TestHistory::stableSensor_isDone()
@@ -243,7 +243,7 @@ void TestHistory::unreadable_isSaidAndTheOthersShown()
     const QTemporaryDir folder;
     QVERIFY(write(folder, {{2021}, {2022}, {2023}}));
     const QString damaged = folder.filePath("2022/results.json");
-    QVERIFY(writeBytes(damaged, fileBytes(damaged).chopped(1000)));
+    QVERIFY(writeBytes(damaged, bytesOf(damaged).chopped(1000)));
     const Answer answer = runDyncal({"history", folder.path(), "--json"});
     QCOMPARE(answer.exitCode, 3);
     QCOMPARE(answer.complaints().size(), 1);
@@ -273,11 +273,11 @@ void TestHistory::inputs_areNeverReplaced()
     const QTemporaryDir folder;
     QVERIFY(write(folder, {{2021}}));
     const QString results = folder.filePath("2021/results.json");
-    const QByteArray before = fileBytes(results);
+    const QByteArray before = bytesOf(results);
     const Answer answer = runDyncal({"history", folder.path(), "-o", results});
     QCOMPARE(answer.exitCode, 4);
     QCOMPARE(answer.complaints().size(), 1);
-    QCOMPARE(fileBytes(results), before);
+    QCOMPARE(bytesOf(results), before);
 }
 
 void TestHistory::nothing_isTouched()

@@ -93,7 +93,7 @@ private:
     /// Signals the program itself, which strace names first in its lines and ends after.
     void signalTraced(int signal) const
     {
-        const QByteArray opened = fileBytes(path("opened"));
+        const QByteArray opened = bytesOf(path("opened"));
         if (const int process = opened.left(opened.indexOf(' ')).toInt(); process > 0)
             ::kill(process, signal);
     }
@@ -282,7 +282,7 @@ private slots:
             QVERIFY(!window.ask("list findingsPanel").isEmpty());
             signalTraced(SIGTERM);
             QTRY_VERIFY_WITH_TIMEOUT(!window.isRunning(), 20000);
-            const QByteArray opened = fileBytes(path("opened"));
+            const QByteArray opened = bytesOf(path("opened"));
             QVERIFY2(opened.contains(file), "strace must have seen the recording opened");
             QVERIFY2(!opened.contains(bait.toUtf8() + '"'), opened.right(2000));
         }
@@ -301,7 +301,7 @@ private slots:
                 path("r.json"), "-o", path("traced")});
         QVERIFY(strace.waitForFinished(240000));
         QVERIFY2(strace.exitCode() <= 1, strace.readAllStandardError());
-        const QByteArray opened = fileBytes(path("opened"));
+        const QByteArray opened = bytesOf(path("opened"));
         QVERIFY(opened.contains("image.h5") && !opened.contains(path("bait").toUtf8() + '"'));
     }
 
@@ -333,7 +333,7 @@ private slots:
             judgeNumbers(answer.out);
             judgeNumbers(answer.err);
         }
-        judgeNumbers(fileBytes(path("n_out/results.json")));
+        judgeNumbers(bytesOf(path("n_out/results.json")));
     }
 };
 

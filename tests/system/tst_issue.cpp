@@ -178,7 +178,7 @@ void TestIssue::cautionWithReason_isInTheTrail()
     QVERIFY2(issued.exitCode == 0, issued.err);
     QCOMPARE(refused.exitCode, 2);
     QCOMPARE(accepted.size(), 1);
-    const QByteArray trail = fileBytes(job.output() + "/1/audit.jsonl");
+    const QByteArray trail = bytesOf(job.output() + "/1/audit.jsonl");
     for (const QJsonValue &one : accepted)
         QVERIFY(trail.contains("looked at by " + one["finding"].toString().toUtf8()));
     QVERIFY(trail.contains("reviewed") && trail.contains("B. Ek"));
@@ -214,7 +214,7 @@ void TestIssue::copies_makeTheSameBytes()
     QCOMPARE(one.issue().exitCode, 0);
     QCOMPARE(copy.issue().exitCode, 0);
     QVERIFY(bytesBelow(one.output() + "/2") == bytesBelow(copy.output() + "/2"));
-    QCOMPARE(fileBytes(one.registry()), fileBytes(copy.registry()));
+    QCOMPARE(bytesOf(one.registry()), bytesOf(copy.registry()));
 }
 
 /// Neither names of folders, nor the account, nor the machine.
@@ -230,7 +230,7 @@ void TestIssue::nothingOfTheMachine_leaksOut()
         {"--qdf", "--object-streams=disable", job.output() + "/1/certificate.pdf",
             job.path("plain.pdf")});
     QVERIFY(plain.waitForFinished());
-    QByteArray all = fileBytes(job.path("plain.pdf"));
+    QByteArray all = bytesOf(job.path("plain.pdf"));
     for (const QByteArray &bytes : bytesBelow(job.output()))
         all += bytes;
     QProcess text;
@@ -314,7 +314,7 @@ void TestIssue::damage_isFound()
         QCOMPARE(job.issue().exitCode, 0);
         QVERIFY(QFile::copy(job.output() + "/1/project.dyncal", job.path("copy.dyncal")));
     }
-    const QByteArray whole = fileBytes(job.path(file));
+    const QByteArray whole = bytesOf(job.path(file));
     const auto mended = qScopeGuard([&] { writeBytes(job.path(file), whole); });
     std::mt19937_64 random(static_cast<std::uint64_t>(whole.size()));
     for (int i = 0; i < dyncal::trials::count(3, 110); ++i) {
@@ -342,7 +342,7 @@ void TestIssue::singleFiles_areKnown()
     const Answer alone = runDyncal({"verify", pdf, "--json"}); // by itself nothing is known of it
     QCOMPARE(alone.exitCode, 1);
     QCOMPARE(firstOf(alone)["status"].toString(), "unsigned");
-    QVERIFY(writeBytes(job.path("copy.pdf"), fileBytes(pdf) + "x"));
+    QVERIFY(writeBytes(job.path("copy.pdf"), bytesOf(pdf) + "x"));
     const Answer changed = job.verify({job.path("copy.pdf")});
     QCOMPARE(changed.exitCode, 2);
     QCOMPARE(job.verify({job.path("shot.h5")}).exitCode, 0);
@@ -483,12 +483,12 @@ void TestIssue::cards_fillTheCertificate()
     const Answer taken
         = registry({"import", "customer", job.path("cards.csv"), "--reason", "old list"});
     QVERIFY2(taken.exitCode == 0, taken.err);
-    QCOMPARE(registry({"cards", "customer"}).out, fileBytes(job.path("cards.csv")));
+    QCOMPARE(registry({"cards", "customer"}).out, bytesOf(job.path("cards.csv")));
     QCOMPARE(registry({"cards", "sensor"}).out, "name\n");
     QCOMPARE(registry({"import", "sensor", job.path("none.csv"), "--reason", "x"}).exitCode, 3);
     const Answer issued = job.issue();
     QVERIFY2(issued.exitCode == 0, issued.err);
-    QVERIFY(fileBytes(job.output() + "/1/recipe.json").contains("9 Card Street"));
+    QVERIFY(bytesOf(job.output() + "/1/recipe.json").contains("9 Card Street"));
     QCOMPARE(job.verify({job.registry()}).exitCode, 0);
 }
 

@@ -46,7 +46,7 @@ QString textOf(const QString &pdf)
 QList<QByteArray> linesOf(const QString &csv, const QByteArray &quantity)
 {
     QList<QByteArray> lines;
-    for (const QByteArray &line : fileBytes(csv).split('\n'))
+    for (const QByteArray &line : bytesOf(csv).split('\n'))
         if (line.startsWith(quantity + ','))
             lines << line;
     return lines;
@@ -92,13 +92,13 @@ private slots:
         QCOMPARE(lines.size(), 2);
         QVERIFY2(lines[0].contains("2025-03-01,1,"), lines[0]);
         QVERIFY2(lines[1].contains("2026-01-07,2,"), lines[1]);
-        QVERIFY2(!fileBytes(job.output() + "/2/history.csv").contains(job.folder.path().toUtf8()),
+        QVERIFY2(!bytesOf(job.output() + "/2/history.csv").contains(job.folder.path().toUtf8()),
             "a path leaks");
         const QString text = textOf(job.output() + "/2/certificate.pdf");
         QVERIFY2(text.contains("Earlier calibrations"), qPrintable(text));
         QVERIFY(text.contains(QRegularExpression("2025-03-01 +1 +\\d")));
         QVERIFY(text.contains(QRegularExpression("2026-01-07 +2 +\\d")));
-        const QByteArray dcc = fileBytes(job.output() + "/2/dcc.xml");
+        const QByteArray dcc = bytesOf(job.output() + "/2/dcc.xml");
         QVERIFY(dcc.contains("refType=\"dyncal_historyOf dyncal_sensitivity\""));
         QCOMPARE(missingNumbers(job.output() + "/2", "en"), QByteArray());
         const Answer rules = runDyncal({"dcc", "check", job.output() + "/2/dcc.xml", "--json"});
@@ -138,7 +138,7 @@ private slots:
         QVERIFY(writeTemplate(job.path("with-history.json")));
         QVERIFY(issueNext(job, 7, recipeOf("2025-03-01")).exitCode == 0);
         const QString results = job.output() + "/1/results.json";
-        const QByteArray whole = fileBytes(results);
+        const QByteArray whole = bytesOf(results);
         QFile::remove(results);
         const Answer refused = issueNext(job, 8, recipeOf("2026-01-07"));
         QVERIFY2(refused.exitCode != 0, refused.out);

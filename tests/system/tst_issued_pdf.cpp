@@ -19,7 +19,7 @@ class TestIssuedPdf : public QObject
 
     IssuedJob m_job;
     QString folder() const { return m_job.output() + "/1"; }
-    QByteArray file(const QString &name) const { return fileBytes(folder() + '/' + name); }
+    QByteArray file(const QString &name) const { return bytesOf(folder() + '/' + name); }
 
     /// Puts another PDF into the folder, with every hash beside it, as a careful forger would.
     void forge(const QByteArray &pdf) const

@@ -121,7 +121,7 @@ void TestKeptProjects::registry_isVerifiedAndGoesOn()
     const KeptVersion kept(version);
     const QString registry = kept.path("registry.sqlite");
     QCOMPARE(kept.verify({registry}).exitCode, 0);
-    const QByteArray before = fileBytes(kept.path("job.dyncal"));
+    const QByteArray before = bytesOf(kept.path("job.dyncal"));
     const QStringList issue{"issue", kept.path("job.dyncal"), "-o", kept.path("certificates"),
         "--registry", registry, "--unsigned"};
     const Answer again = runDyncal(issue);
@@ -133,7 +133,7 @@ void TestKeptProjects::registry_isVerifiedAndGoesOn()
     QVERIFY2(amended.exitCode == 0, amended.err);
     QCOMPARE(fileJson(kept.path("certificates/2/project.dyncal"))["version"].toInt(),
         kCurrentProjectVersion);
-    QCOMPARE(fileBytes(kept.path("job.dyncal")), before);
+    QCOMPARE(bytesOf(kept.path("job.dyncal")), before);
     const Answer all = kept.verify({kept.path("certificates"), registry, "--registry", registry});
     QVERIFY2(all.exitCode == 1, all.out + all.err);
 }

@@ -61,7 +61,7 @@ private:
     /// Which of the two projects the file is; -1: neither.
     int whichIsThere() const
     {
-        const QJsonObject there = job(fileBytes(project()));
+        const QJsonObject there = job(bytesOf(project()));
         return there == job(m_whole[0]) ? 0 : there == job(m_whole[1]) ? 1 : -1;
     }
 
@@ -145,7 +145,7 @@ private slots:
         for (int which = 0; which < 2 && !QTest::currentTestFailed(); ++which) {
             edit(window, kCustomers[which]);
             save(window);
-            m_whole[which] = fileBytes(project());
+            m_whole[which] = bytesOf(project());
             checkSaved(kCustomers[which]);
         }
         QVERIFY(job(m_whole[0]) != job(m_whole[1]));
@@ -174,7 +174,7 @@ private slots:
                 qPrintable(QString("kill %1 after %2 us: %3")
                                .arg(i)
                                .arg(moment.count())
-                               .arg(fileBytes(project()))));
+                               .arg(bytesOf(project()))));
             checkSaved(kCustomers[now]);
             behind += now == old ? 0 : 1;
             within += filesThere() == before || filesThere().size() == 2 ? 0 : 1;

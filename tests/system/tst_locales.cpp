@@ -80,7 +80,7 @@ private slots:
             QDirIterator entry(folder, QDir::Files, QDirIterator::Subdirectories);
             while (answer.exitCode <= 1 && entry.hasNext()) {
                 const QString file = entry.next();
-                files[QDir(folder).relativeFilePath(file)] = fileBytes(file);
+                files[QDir(folder).relativeFilePath(file)] = bytesOf(file);
             }
             return files;
         };
@@ -120,11 +120,11 @@ private slots:
                 {"LC_ALL=C", "LANG=C", "SOURCE_DATE_EPOCH=1767225600"});
         QVERIFY2(here.exitCode == 0 || here.exitCode == 1, here.err);
         QCOMPARE(there.exitCode, here.exitCode);
-        const QByteArray results = fileBytes(path(locale) + "/results.json");
+        const QByteArray results = bytesOf(path(locale) + "/results.json");
         QVERIFY(results.size() > 1000);
-        QVERIFY(results == fileBytes(path(locale + "-C") + "/results.json"));
-        QVERIFY(fileBytes(path(locale) + "/csv/singular_values.csv")
-            == fileBytes(path(locale + "-C") + "/csv/singular_values.csv"));
+        QVERIFY(results == bytesOf(path(locale + "-C") + "/results.json"));
+        QVERIFY(bytesOf(path(locale) + "/csv/singular_values.csv")
+            == bytesOf(path(locale + "-C") + "/csv/singular_values.csv"));
         QCOMPARE(there.err, here.err);
 
         const Answer checked = runDyncal({"check", table, "--json"}, environment);

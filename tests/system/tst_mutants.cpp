@@ -66,7 +66,7 @@ private:
             const QString ending = QFileInfo(file).suffix().toLower();
             if (QFileInfo(file).size() <= kLargestSeed && !ending.isEmpty()
                 && !kNoRecordings.contains(ending))
-                m_seeds[ending] << Seed{ending, fileBytes(file).toStdString()};
+                m_seeds[ending] << Seed{ending, bytesOf(file).toStdString()};
         }
     }
 
@@ -149,7 +149,7 @@ private slots:
                                "0.005", "--shots", "low", "--preset", "piezo"})
                      .exitCode,
             0);
-        m_seeds["h5"] << Seed{"h5", fileBytes(m_capture).toStdString()};
+        m_seeds["h5"] << Seed{"h5", bytesOf(m_capture).toStdString()};
         QDir().mkpath(m_folder.filePath("made"));
         const QString script
             = qEnvironmentVariable("DYNCAL_SOURCE_DIR") + "/tests/fuzz/hdf5_seeds.py";
@@ -161,7 +161,7 @@ private slots:
                 + std::to_string(i > 200 ? 1.0 : 0.001 * (i % 7)) + "\n";
         m_seeds["csv"] << Seed{"csv", table};
         m_seeds["recipe"] << Seed{"recipe",
-            fileBytes(qEnvironmentVariable("DYNCAL_SOURCE_DIR")
+            bytesOf(qEnvironmentVariable("DYNCAL_SOURCE_DIR")
                 + "/tests/core/project/interface_example.json")
                 .toStdString()};
         const QString data = qEnvironmentVariable(

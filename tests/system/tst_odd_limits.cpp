@@ -127,7 +127,7 @@ private slots:
         QCOMPARE(answer.exitCode, 4);
         QVERIFY2(answer.err.contains("no regular file"), answer.err);
         QCOMPARE(QFile(link).symLinkTarget(), QString("/proc/self/fd/1"));
-        QVERIFY(fileBytes(path("taken")).isEmpty());
+        QVERIFY(bytesOf(path("taken")).isEmpty());
     }
 };
 

@@ -47,12 +47,12 @@ QStringList kindsOf(const QJsonArray &rows)
 
 QByteArray sha256(const QString &path)
 {
-    return QCryptographicHash::hash(fileBytes(path), QCryptographicHash::Sha256).toHex();
+    return QCryptographicHash::hash(bytesOf(path), QCryptographicHash::Sha256).toHex();
 }
 
 bool changeResults(const QString &folder, const std::function<void(nlohmann::json &)> &change)
 {
-    nlohmann::json root = nlohmann::json::parse(fileBytes(folder + "/results.json").toStdString());
+    nlohmann::json root = nlohmann::json::parse(bytesOf(folder + "/results.json").toStdString());
     change(root);
     return writeBytes(folder + "/results.json", QByteArray::fromStdString(dyncal::jsonText(root)));
 }
@@ -65,7 +65,7 @@ QMap<QString, QByteArray> stateBelow(const QString &folder)
          entry.hasNext();) {
         const QFileInfo file = entry.nextFileInfo();
         files[file.filePath()]
-            = fileBytes(file.filePath()) + file.lastModified().toString(Qt::ISODateWithMs).toUtf8();
+            = bytesOf(file.filePath()) + file.lastModified().toString(Qt::ISODateWithMs).toUtf8();
     }
     return files;
 }
@@ -192,7 +192,7 @@ void TestRecheck::keptRuns_ofTheseMethods_areAsIssued()
 {
     for (const QString &folder : QDir(keptRuns()).entryList(QDir::Dirs | QDir::NoDotAndDotDot)) {
         const QString path = keptRuns() + "/" + folder;
-        const auto results = nlohmann::json::parse(fileBytes(path + "/results.json").toStdString());
+        const auto results = nlohmann::json::parse(bytesOf(path + "/results.json").toStdString());
         if (dyncal::statedMethods(results) != dyncal::methodVersions())
             continue;
         const QByteArray text = recheck({path}).out;

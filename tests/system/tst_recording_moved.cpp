@@ -53,7 +53,7 @@ private:
         QDirIterator entries(path(name), QDir::Files | QDir::Hidden, QDirIterator::Subdirectories);
         while (entries.hasNext()) {
             const QString file = entries.next();
-            files[file] = fileBytes(file);
+            files[file] = bytesOf(file);
         }
         return files;
     }

@@ -49,8 +49,8 @@ private slots:
         QCOMPARE(json["created_utc"].toString(), QString("2023-11-14T22:13:20Z"));
         QVERIFY(json["holds"].toBool());
         QVERIFY(json["checks"].toArray().size() > 80);
-        QCOMPARE(fileBytes(path("one/selftest.json")), answer.out);
-        const QByteArray pdf = fileBytes(path("one/selftest.pdf"));
+        QCOMPARE(bytesOf(path("one/selftest.json")), answer.out);
+        const QByteArray pdf = bytesOf(path("one/selftest.pdf"));
         QVERIFY(pdf.startsWith("%PDF-") && pdf.contains("D:20231114221320"));
         QCOMPARE(QDir(path("one")).entryList(QDir::Files | QDir::Hidden),
             (QStringList{"selftest.json", "selftest.pdf", "written.json"}));
@@ -62,11 +62,11 @@ private slots:
         const QStringList clock{"SOURCE_DATE_EPOCH=1700000000"};
         const QStringList command{"selftest", "--calibrations", "0", "-o", path("two")};
         QCOMPARE(runDyncal(command, clock).exitCode, 0);
-        const QByteArray json = fileBytes(path("two/selftest.json")),
-                         pdf = fileBytes(path("two/selftest.pdf"));
+        const QByteArray json = bytesOf(path("two/selftest.json")),
+                         pdf = bytesOf(path("two/selftest.pdf"));
         QCOMPARE(runDyncal(command, clock).exitCode, 0);
-        QCOMPARE(fileBytes(path("two/selftest.json")), json);
-        QCOMPARE(fileBytes(path("two/selftest.pdf")), pdf);
+        QCOMPARE(bytesOf(path("two/selftest.json")), json);
+        QCOMPARE(bytesOf(path("two/selftest.pdf")), pdf);
     }
 
     void wrongUsage_isOneSentence_data()
@@ -98,7 +98,7 @@ private slots:
         QVERIFY(writeBytes(path("foreign/selftest.pdf"), "somebody's"));
         const Answer answer = runDyncal({"selftest", "-o", path("foreign")});
         QCOMPARE(answer.exitCode, 4);
-        QCOMPARE(fileBytes(path("foreign/selftest.pdf")), QByteArray("somebody's"));
+        QCOMPARE(bytesOf(path("foreign/selftest.pdf")), QByteArray("somebody's"));
     }
 
     void withoutPlaceForTemporaryFiles_readingDeviates()

@@ -45,7 +45,7 @@ private:
             if (threads.isEmpty())
                 return 0;
             for (const QString &thread : threads) {
-                const QByteArray children = fileBytes(tasks + '/' + thread + "/children");
+                const QByteArray children = bytesOf(tasks + '/' + thread + "/children");
                 if (const int child = children.split(' ').front().toInt(); child > 0)
                     return child;
             }
@@ -121,7 +121,7 @@ private slots:
         process->kill();
         QVERIFY(process->waitForFinished(kLongest_ms));
         const QString status = QString("/proc/%1/status").arg(helper);
-        QTRY_VERIFY(!QFile::exists(status) || fileBytes(status).contains("State:\tZ"));
+        QTRY_VERIFY(!QFile::exists(status) || bytesOf(status).contains("State:\tZ"));
     }
 
     void endOfChildrenIgnoredByTheCaller_filesAreRead()

@@ -137,7 +137,7 @@ private slots:
         QCOMPARE(answerOf("qpdf", {"--check", pdf}).err, QByteArray());
         const QRegularExpressionMatch place
             = QRegularExpression("/Rect\\[([\\d.]+) ([\\d.]+) ([\\d.]+) ([\\d.]+)\\]/AP")
-                  .match(QString::fromLatin1(fileBytes(pdf)));
+                  .match(QString::fromLatin1(bytesOf(pdf)));
         QVERIFY(place.hasMatch());
         const QStringList corner = place.capturedTexts();
         const QByteArray page = pageWith(pdf, "Electronic signature");
@@ -170,7 +170,7 @@ private slots:
         QVERIFY(job.begin(recording()));
         QCOMPARE(job.issue(byKey()).exitCode, 0);
         const QString path = job.output() + "/1/certificate.pdf";
-        QByteArray bytes = fileBytes(path);
+        QByteArray bytes = bytesOf(path);
         bytes[bytes.size() / 3] = static_cast<char>(bytes[bytes.size() / 3] ^ 1);
         QVERIFY(writeBytes(path, bytes));
         const Answer alone = runDyncal(QStringList{"verify", path, "--json"} + trust());

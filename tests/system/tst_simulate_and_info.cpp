@@ -49,14 +49,14 @@ private slots:
         const QStringList epoch{"SOURCE_DATE_EPOCH=1767225600"};
         QCOMPARE(runDyncal(small(path("one.h5")), epoch).exitCode, 0);
         QCOMPARE(runDyncal(small(path("two.h5")), epoch).exitCode, 0);
-        QVERIFY(!fileBytes(path("one.h5")).isEmpty());
-        QVERIFY(fileBytes(path("one.h5")) == fileBytes(path("two.h5")));
+        QVERIFY(!bytesOf(path("one.h5")).isEmpty());
+        QVERIFY(bytesOf(path("one.h5")) == bytesOf(path("two.h5")));
         QCOMPARE(runDyncal(small(path("three.h5")) << "--seed"
                                                    << "2",
                      epoch)
                      .exitCode,
             0);
-        QVERIFY(fileBytes(path("one.h5")) != fileBytes(path("three.h5")));
+        QVERIFY(bytesOf(path("one.h5")) != bytesOf(path("three.h5")));
     }
 
     void simulate_customSensor_saysItsTruth()

@@ -57,9 +57,9 @@ private slots:
         const IssuedJob other;
         QVERIFY(other.begin(job.path("made.h5")));
         QCOMPARE(other.issue().exitCode, 0);
-        QCOMPARE(fileBytes(job.output() + "/1/results.json"),
-            fileBytes(other.output() + "/1/results.json"));
-        QCOMPARE(fileBytes(job.output() + "/1/dcc.xml"), fileBytes(other.output() + "/1/dcc.xml"));
+        QCOMPARE(
+            bytesOf(job.output() + "/1/results.json"), bytesOf(other.output() + "/1/results.json"));
+        QCOMPARE(bytesOf(job.output() + "/1/dcc.xml"), bytesOf(other.output() + "/1/dcc.xml"));
 
         QFile results(job.output() + "/1/results.json");
         QVERIFY(results.setPermissions(QFile::ReadOwner | QFile::WriteOwner));

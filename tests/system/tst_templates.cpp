@@ -194,7 +194,7 @@ void TestTemplates::issued_holdsItsTemplate()
     // The same order is the same certificate; another template is another job.
     QCOMPARE(job.issue({"--template", path("issue/lab.json")}).json()["number"].toInt(), 1);
     QCOMPARE(job.issue({"--template", "short"}).exitCode, 4);
-    QByteArray damaged = fileBytes(folder + "/sources/"
+    QByteArray damaged = bytesOf(folder + "/sources/"
         + QDir(folder + "/sources").entryList({"*.json"}, QDir::Files).first());
     damaged.replace("phase", "magni");
     QVERIFY(writeBytes(

@@ -221,7 +221,7 @@ private slots:
         editAndKill(project, "Second");
         QVERIFY(QDir(m_folder.path()).mkpath("work/elsewhere"));
         QVERIFY(QFile::rename(path("work/shot_high.h5"), path("work/elsewhere/shot_high.h5")));
-        QByteArray bytes = fileBytes(path("work/shot_low.h5"));
+        QByteArray bytes = bytesOf(path("work/shot_low.h5"));
         const auto middle = bytes.size() / 2; // among the samples
         bytes[middle] = static_cast<char>(bytes[middle] ^ 1);
         QVERIFY(writeBytes(path("work/shot_low.h5"), bytes));

@@ -22,7 +22,7 @@ inline bool writeProject(const QString &project, const QStringList &captures, QJ
     QJsonArray entries;
     for (const QString &capture : captures) {
         const QByteArray sha256
-            = QCryptographicHash::hash(fileBytes(capture), QCryptographicHash::Sha256).toHex();
+            = QCryptographicHash::hash(bytesOf(capture), QCryptographicHash::Sha256).toHex();
         entries.append(QJsonObject{{"path", QFileInfo(project).dir().relativeFilePath(capture)},
             {"sha256", QString(sha256)}});
     }

@@ -5,6 +5,7 @@
 
 #include "core/base/result.h"
 #include "core/capture/capture_set.h"
+#include "tests/support/file_bytes.h"
 #include "tests/support/measured_data.h"
 
 #include <QByteArray>
@@ -34,12 +35,6 @@ inline QString quickTemplate()
 {
     const QString memory = QFileInfo("/dev/shm").isWritable() ? "/dev/shm" : QDir::tempPath();
     return memory + "/dyncal-XXXXXX";
-}
-
-inline QByteArray bytesOf(const QString &path)
-{
-    QFile file(path);
-    return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
 }
 
 inline std::string write(const QString &path, const QByteArray &bytes)

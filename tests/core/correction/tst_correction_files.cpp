@@ -5,6 +5,7 @@
 #include "core/base/writing/written_list.h"
 #include "core/correction/correction_files.h"
 #include "core/correction/filter_files.h"
+#include "tests/support/file_bytes.h"
 #include "tests/support/known_sensor.h"
 #include "tests/support/near.h"
 #include "tests/support/python_answer.h"
@@ -71,15 +72,9 @@ CorrectionOutcome outcomeOf(const CaptureSet &set)
     return outcome;
 }
 
-QByteArray contentOf(const QString &path)
-{
-    QFile file(path);
-    return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
-}
-
 Json jsonAt(const QString &path)
 {
-    return Json::parse(contentOf(path).toStdString(), nullptr, false);
+    return Json::parse(bytesOf(path).toStdString(), nullptr, false);
 }
 
 /// Reads what was written with numpy and scipy alone.
@@ -139,7 +134,7 @@ private slots:
         QCOMPARE(paths->size(), std::size_t(9));
         for (const std::string &written : *paths)
             QVERIFY(std::filesystem::exists(written));
-        const auto list = parseWrittenList(contentOf(path("written.json")).toStdString());
+        const auto list = parseWrittenList(bytesOf(path("written.json")).toStdString());
         QVERIFY(list && list->size() == 9);
         QCOMPARE(list->front().by, std::string("correct"));
     }
@@ -166,7 +161,7 @@ private slots:
     /// With it and the recordings the correction can be repeated.
     void calibration_isKeptAsItWas()
     {
-        QCOMPARE(contentOf(path("calibration.json")), QByteArray("{}"));
+        QCOMPARE(bytesOf(path("calibration.json")), QByteArray("{}"));
     }
 
     void filterJson_saysWhatTheTapsAre()
@@ -183,7 +178,7 @@ private slots:
     /// A name from elsewhere is no formula of a spreadsheet.
     void errorNames_areSafeInTables()
     {
-        const QByteArray header = contentOf(path("filter_errors.csv")).split('\n').front();
+        const QByteArray header = bytesOf(path("filter_errors.csv")).split('\n').front();
         QVERIFY(!header.startsWith('='));
         QCOMPARE(header.split(',').size(), 2);
     }
@@ -217,7 +212,7 @@ private slots:
         const auto paths = write(outcome, set);
         QVERIFY2(paths.has_value(), paths ? "" : english(paths.error().message).c_str());
         QVERIFY(!QFile::exists(path("pressure_shot_002.csv")));
-        const std::string text = contentOf(path("correction.json")).toStdString();
+        const std::string text = bytesOf(path("correction.json")).toStdString();
         QVERIFY(text.find("stated by the customer") != std::string::npos);
     }
 
@@ -230,7 +225,7 @@ private slots:
         changed.close();
         const auto paths = write(outcomeOf(set), set);
         QVERIFY(!paths && paths.error().kind == ErrorKind::Usage);
-        QCOMPARE(contentOf(path("filter.json")), QByteArray("mine"));
+        QCOMPARE(bytesOf(path("filter.json")), QByteArray("mine"));
         QVERIFY(QFile::remove(path("filter.json")));
         const CaptureSet inside = recordings(path("blast.csv")); // a recording in the folder
         QFile recording(path("blast.csv"));

@@ -5,6 +5,7 @@
 
 #include "core/model_analysis/marked_frequencies.h"
 #include "core/pipeline/pipeline.h"
+#include "tests/support/cascade_model.h"
 #include "tests/support/near.h"
 #include "tests/support/second_order_model.h"
 #include "tests/support/simulated_example.h"
@@ -42,6 +43,17 @@ private slots:
         }
         const SensorModel damped = testing::secondOrderModel(300e3, 0.8);
         QVERIFY(!resonancePeak(damped, ResponseTreatment::StepDeflated, 300e3, 0.8));
+    }
+
+    /// |S| of both rises from 181 to 361 kHz, toward the second mode: the end of the search is no
+    /// resonance of the first.
+    void slopeOfAnotherMode_isNoPeak()
+    {
+        const SensorModel model = testing::cascadeModel({{300e3, 0.3}, {420e3, 0.02}});
+        const auto first = resonancePeak(model, ResponseTreatment::StepDeflated, 300e3, 0.3);
+        QVERIFY2(!first, qPrintable(QString::number(first ? first->frequency_Hz : 0.0)));
+        const auto second = resonancePeak(model, ResponseTreatment::StepDeflated, 420e3, 0.02);
+        QVERIFY(second && isNear(second->frequency_Hz, 420e3, 0.01));
     }
 
     void marks_areTheEndsTheEdgesAndTheResonance()

@@ -10,6 +10,7 @@
 #include "core/results/results_json.h"
 #include "core/results/run_files.h"
 #include "tests/support/example_results.h"
+#include "tests/support/file_bytes.h"
 #include "tests/support/test_program.h"
 
 #include <QDir>
@@ -17,6 +18,7 @@
 #include <QtTest>
 
 using namespace dyncal;
+using testing::bytesOf;
 
 namespace {
 
@@ -38,12 +40,6 @@ Result<std::vector<std::string>> writeInto(
     Result<FolderWrite> target = FolderWrite::begin(runFolder(folder.toStdString(), {}));
     return target ? writeRunFiles(run, *target, control)
                   : Result<std::vector<std::string>>(tl::unexpected(target.error()));
-}
-
-QByteArray bytesOf(const QString &path)
-{
-    QFile file(path);
-    return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
 }
 
 } // namespace

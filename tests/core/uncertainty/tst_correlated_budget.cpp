@@ -5,6 +5,7 @@
 
 #include "core/pipeline/pipeline.h"
 #include "core/uncertainty/wanted_u.h"
+#include "tests/support/budget_lines.h"
 #include "tests/support/near.h"
 #include "tests/support/simulated_example.h"
 #include "tests/support/test_program.h"
@@ -16,6 +17,7 @@
 
 using namespace dyncal;
 using testing::isNear;
+using testing::lineOf;
 
 namespace {
 
@@ -25,11 +27,6 @@ Recipe stated(std::vector<CorrelationEntry> correlations)
     recipe.uncertainty.budget = {{"p1_pa", 400.0}, {"t1_k", 1.5}, {"gain_relative", 0.004}};
     recipe.uncertainty.correlations = std::move(correlations);
     return recipe;
-}
-
-const UncertaintyLine &lineOf(const ReportedValue &value, const std::string &quantity)
-{
-    return *std::ranges::find(value.lines, quantity, &UncertaintyLine::quantity);
 }
 
 } // namespace
@@ -69,8 +66,8 @@ private slots:
         const CalibrationResults without = run(stated({}));
         const CalibrationResults with = run(stated({{one.toStdString(), other.toStdString(), r}}));
         const ReportedValue &S = *with.uncertainty->sensitivity;
-        const double crossed = 2.0 * r * lineOf(S, one.toStdString()).contribution
-            * lineOf(S, other.toStdString()).contribution;
+        const double crossed = 2.0 * r * lineOf(S, one.toStdString())->contribution
+            * lineOf(S, other.toStdString())->contribution;
         QVERIFY(std::abs(crossed) > 0.02 * *S.u * *S.u); // it counts
         const double before = *without.uncertainty->sensitivity->u;
         QVERIFY(isNear(*S.u, std::sqrt(before * before + crossed)));

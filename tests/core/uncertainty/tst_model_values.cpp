@@ -6,6 +6,7 @@
 
 #include "core/uncertainty/model_shape.h"
 #include "core/uncertainty/model_values.h"
+#include "tests/support/budget_lines.h"
 #include "tests/support/cascade_model.h"
 #include "tests/support/damped_shots.h"
 #include "tests/support/realized_model.h"
@@ -20,6 +21,7 @@
 #include <map>
 
 using namespace dyncal;
+using testing::lineOf;
 
 namespace {
 
@@ -52,12 +54,6 @@ Reported reportOf(double zeta, int seed, double noise = 0.005, double clock = 0.
 {
     return reportOf(
         testing::dampedShots(kF0_Hz, zeta, static_cast<std::uint64_t>(seed), {noise}), clock);
-}
-
-const UncertaintyLine *lineOf(const ReportedValue &value, const std::string &quantity)
-{
-    const auto found = std::ranges::find(value.lines, quantity, &UncertaintyLine::quantity);
-    return found == value.lines.end() ? nullptr : &*found;
 }
 
 /// Of a sensor of f0 = 1: |S| at resonance, its place, within 5 %, within 10 %, -3 dB, rise,

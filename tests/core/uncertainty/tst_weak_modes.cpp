@@ -5,6 +5,7 @@
 
 #include "core/uncertainty/model_values.h"
 #include "core/uncertainty/weak_modes.h"
+#include "tests/support/budget_lines.h"
 #include "tests/support/damped_shots.h"
 #include "tests/support/near.h"
 #include "tests/support/realized_model.h"
@@ -66,8 +67,7 @@ Shaken valuesOf(const ModelInput &input)
 
 const UncertaintyLine *weakLine(const ReportedValue &value)
 {
-    const auto found = std::ranges::find(value.lines, "weak_mode", &UncertaintyLine::quantity);
-    return found == value.lines.end() ? nullptr : &*found;
+    return testing::lineOf(value, "weak_mode");
 }
 
 } // namespace

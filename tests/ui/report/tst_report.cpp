@@ -3,6 +3,7 @@
 
 #include "core/base/writing/atomic_file.h"
 #include "tests/support/example_results.h"
+#include "tests/support/file_bytes.h"
 #include "tests/support/test_program.h"
 #include "ui/report/report_drawing.h"
 
@@ -20,6 +21,7 @@ using dyncal::Recipe;
 using dyncal::ReportDrawing;
 using dyncal::ReportParts;
 using dyncal::Result;
+using dyncal::testing::bytesOf;
 
 namespace {
 
@@ -33,12 +35,6 @@ Result<std::vector<DrawnFile>> drawReport(
 }
 
 constexpr const char *kCreated = "2026-11-21T03:04:05Z";
-
-QByteArray bytesOf(const QString &path)
-{
-    QFile file(path);
-    return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
-}
 
 Recipe exampleRecipe()
 {

@@ -275,7 +275,7 @@ void TestSignedCertificate::s30f_verified_andOneByteChanged()
     const auto whole = runDyncal({"verify", pdf, "--trust", trust()});
     QVERIFY2(whole.exitCode == 0, whole.out);
     QVERIFY(whole.out.contains("valid, signed by Example Laboratory"));
-    QByteArray bytes = fileBytes(pdf);
+    QByteArray bytes = bytesOf(pdf);
     bytes[bytes.size() / 3] = static_cast<char>(bytes[bytes.size() / 3] ^ 1);
     const QString changed = m_bench->job.path("changed.pdf");
     QVERIFY(writeBytes(changed, bytes));

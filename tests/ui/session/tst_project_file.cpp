@@ -5,6 +5,7 @@
 #include "core/base/writing/write_problem.h"
 #include "core/capture/capture_seal.h"
 #include "core/capture/opening/capture_open.h"
+#include "tests/support/file_bytes.h"
 #include "tests/support/same_samples.h"
 #include "tests/support/test_program.h"
 #include "tests/support/trial_count.h"
@@ -25,6 +26,7 @@
 #include <random>
 
 using namespace dyncal;
+using testing::writeBytes;
 
 namespace {
 
@@ -33,13 +35,6 @@ QJsonObject readJson(const QString &path)
     QFile file(path);
     return file.open(QIODevice::ReadOnly) ? QJsonDocument::fromJson(file.readAll()).object()
                                           : QJsonObject();
-}
-
-void writeBytes(const QString &path, const QByteArray &bytes)
-{
-    QFile file(path);
-    QVERIFY(file.open(QIODevice::WriteOnly));
-    file.write(bytes);
 }
 
 QString said(const Error &error)
@@ -233,7 +228,7 @@ void TestProjectFile::changedRecording_isReportedAndBlocks()
     entry["sha256"] = QString(64, '0');
     captures[0] = entry;
     json["captures"] = captures;
-    writeBytes(path, QJsonDocument(json).toJson());
+    QVERIFY(writeBytes(path, QJsonDocument(json).toJson()));
     const Result<ProjectState> opened = openProject(path);
     QVERIFY(opened);
     const Findings &findings = opened->captures->findings;
@@ -245,7 +240,7 @@ void TestProjectFile::changedRecording_isReportedAndBlocks()
 void TestProjectFile::recordingInAFile_isOpenedUnsealedAndHeldAgainstItsHash()
 {
     const QString recording = m_folder.filePath("own.csv");
-    writeBytes(recording, "time (s),p (bar)\n0,1\n1e-6,2\n2e-6,3\n");
+    QVERIFY(writeBytes(recording, "time (s),p (bar)\n0,1\n1e-6,2\n2e-6,3\n"));
     ProjectState state;
     const Result<CaptureSet> read = readCaptures({recording.toStdString()}, {});
     QVERIFY(read);
@@ -267,7 +262,7 @@ void TestProjectFile::recordingInAFile_isOpenedUnsealedAndHeldAgainstItsHash()
     QCOMPARE(same.inputs[0].sha256, read->inputs[0].sha256);
     QVERIFY(same.findings == read->findings);
 
-    writeBytes(recording, "time (s),p (bar)\n0,1\n1e-6,2\n2e-6,4\n");
+    QVERIFY(writeBytes(recording, "time (s),p (bar)\n0,1\n1e-6,2\n2e-6,4\n"));
     const CaptureSet changed = sealedAgain();
     QCOMPARE(changed.shots.size(), std::size_t(1));
     QCOMPARE(changed.findings.back().id, std::string("CAP-015"));
@@ -282,7 +277,7 @@ void TestProjectFile::recordingInAFile_isOpenedUnsealedAndHeldAgainstItsHash()
 void TestProjectFile::movedRecording_isFoundInTheFolderGiven()
 {
     const QString recording = m_folder.filePath("moved.csv");
-    writeBytes(recording, "time (s),p (bar)\n0,1\n1e-6,2\n2e-6,3\n");
+    QVERIFY(writeBytes(recording, "time (s),p (bar)\n0,1\n1e-6,2\n2e-6,3\n"));
     const Result<CaptureSet> read = readCaptures({recording.toStdString()}, {});
     QVERIFY(read);
     const QString path = m_folder.filePath("moved.dyncal");
@@ -305,19 +300,19 @@ void TestProjectFile::movedRecording_isFoundInTheFolderGiven()
 void TestProjectFile::unsealedRecording_expectsNoHash()
 {
     const QString recording = m_folder.filePath("unsealed.csv");
-    writeBytes(recording, "time (s),p (bar)\n0,1\n1e-6,2\n2e-6,3\n");
+    QVERIFY(writeBytes(recording, "time (s),p (bar)\n0,1\n1e-6,2\n2e-6,3\n"));
     const Result<CaptureSet> opened = openCaptures({recording.toStdString()}, {});
     QVERIFY(opened);
     const QString path = m_folder.filePath("unsealed.dyncal");
     const ProjectState state{std::make_shared<const CaptureSet>(*opened), {}};
-    writeBytes(path, projectBytes(state, m_folder.path(), {{"more", 1}}));
+    QVERIFY(writeBytes(path, projectBytes(state, m_folder.path(), {{"more", 1}})));
     const Result<ProjectState> back = openProject(path);
     QVERIFY(back);
     QVERIFY(!back->captures->inputs[0].expectedSha256);
     // A hash that was taken out of a project is no such thing.
     QJsonObject json = readJson(path);
     json["captures"] = QJsonArray{QJsonObject{{"path", "unsealed.csv"}}};
-    writeBytes(path, QJsonDocument(json).toJson());
+    QVERIFY(writeBytes(path, QJsonDocument(json).toJson()));
     QCOMPARE(*openProject(path)->captures->inputs[0].expectedSha256, std::string());
 }
 
@@ -353,7 +348,7 @@ void TestProjectFile::otherFiles_areRefusedByName()
 {
     QFETCH(QByteArray, bytes);
     const QString path = m_folder.filePath("other.dyncal");
-    writeBytes(path, bytes);
+    QVERIFY(writeBytes(path, bytes));
     const Result<ProjectState> opened = openProject(path);
     QVERIFY(!opened);
     QCOMPARE(opened.error().kind, ErrorKind::FileUnreadable);
@@ -384,7 +379,7 @@ void TestProjectFile::otherVersions_areRefusedWithWhatIsNeeded()
     QFETCH(QByteArray, version);
     QFETCH(QString, words);
     const QString path = m_folder.filePath("versions.dyncal");
-    writeBytes(path, "{\"format\": \"dyncal-project\", \"version\": " + version + "}");
+    QVERIFY(writeBytes(path, "{\"format\": \"dyncal-project\", \"version\": " + version + "}"));
     const Result<ProjectState> opened = openProject(path);
     QVERIFY(!opened);
     QCOMPARE(opened.error().kind, ErrorKind::FileUnreadable);
@@ -400,7 +395,7 @@ void TestProjectFile::olderVersion_isOpenedAndSaid()
     for (int version = 1; version < kProjectVersion; ++version) {
         QJsonObject json = readJson(path);
         json["version"] = version;
-        writeBytes(path, QJsonDocument(withChecksums(json)).toJson());
+        QVERIFY(writeBytes(path, QJsonDocument(withChecksums(json)).toJson()));
         const Result<ProjectFile> file = readProjectFile(path);
         QVERIFY(file);
         const std::optional<Finding> older = olderVersion(*file);
@@ -463,7 +458,7 @@ void TestProjectFile::reformattedProject_isTheSame()
 {
     const QString path = m_folder.filePath("compact.dyncal");
     QVERIFY(saveProject(path, m_state, projectFileHash(path)));
-    writeBytes(path, QJsonDocument(readJson(path)).toJson(QJsonDocument::Compact));
+    QVERIFY(writeBytes(path, QJsonDocument(readJson(path)).toJson(QJsonDocument::Compact)));
     const Result<ProjectState> opened = openProject(path);
     QVERIFY(opened);
     QVERIFY(opened->captures->findings == m_state.captures->findings);
@@ -476,7 +471,7 @@ void TestProjectFile::projectOfAnOlderVersion_opensMarked()
     QJsonObject json = readJson(path);
     json.remove("sha256");
     json.remove("sha256_of");
-    writeBytes(path, QJsonDocument(json).toJson());
+    QVERIFY(writeBytes(path, QJsonDocument(json).toJson()));
     const Result<ProjectState> opened = openProject(path);
     QVERIFY(opened);
     QVERIFY(opened->recipe == m_state.recipe);
@@ -507,7 +502,7 @@ void TestProjectFile::everyFlippedBit_isSeenOrSaysTheSame()
             = count == bits ? trial : static_cast<int>(random() % static_cast<unsigned int>(bits));
         QByteArray flipped = bytes;
         flipped[bit / 8] = static_cast<char>(flipped[bit / 8] ^ (1 << (bit % 8)));
-        writeBytes(path, flipped);
+        QVERIFY(writeBytes(path, flipped));
         const Result<ProjectFile> file = readProjectFile(path);
         if (!file || !recipeOfProject(file->content))
             ++refused;
@@ -532,7 +527,7 @@ void TestProjectFile::otherFileInItsPlace_isNotReplaced()
     QCOMPARE(readProjectFile(path)->sha256, *mine);
     QCOMPARE(
         saveProject(path, m_state, std::nullopt).error().findingId, std::string(kChangedMeanwhile));
-    writeBytes(path, "of another program");
+    QVERIFY(writeBytes(path, "of another program"));
     QCOMPARE(saveProject(path, m_state, *mine).error().findingId, std::string(kChangedMeanwhile));
     QVERIFY(QFile::remove(path));
     QCOMPARE(saveProject(path, m_state, *mine).error().findingId, std::string(kChangedMeanwhile));

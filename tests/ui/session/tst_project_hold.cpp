@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Dyncal authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+#include "tests/support/file_bytes.h"
 #include "tests/support/test_program.h"
 #include "ui/session/project_hold.h"
 
@@ -20,18 +21,12 @@
 #include <unistd.h>
 
 using namespace dyncal;
+using testing::writeBytes;
 
 namespace {
 
 const ProjectHolder kAnna{"anna", "lab-1", "2026-01-31T12:00:00Z"};
 const ProjectHolder kBert{"bert", "lab-2", "2026-01-31T12:05:00Z"};
-
-void writeBytes(const QString &path, const QByteArray &bytes)
-{
-    QFile file(path);
-    QVERIFY(file.open(QIODevice::WriteOnly));
-    QCOMPARE(file.write(bytes), bytes.size());
-}
 
 /// What a machine that our locks do not reach left in the file, and for how long it has been
 /// silent.
@@ -40,7 +35,7 @@ void writeForeign(const QString &path, const ProjectHolder &holder, int silent_s
     const QJsonObject json{{"format", "dyncal-hold"}, {"name", QString::fromStdString(holder.name)},
         {"machine", QString::fromStdString(holder.machine)},
         {"since_utc", QString::fromStdString(holder.sinceUtc)}, {"boot", "of another machine"}};
-    writeBytes(path, QJsonDocument(json).toJson());
+    QVERIFY(writeBytes(path, QJsonDocument(json).toJson()));
     struct stat status = {};
     QVERIFY(::stat(path.toLocal8Bit().constData(), &status) == 0);
     std::array<timespec, 2> times{status.st_atim, status.st_mtim};
@@ -59,7 +54,7 @@ private slots:
     void init()
     {
         m_folder = std::make_unique<QTemporaryDir>();
-        writeBytes(project(), "{}");
+        QVERIFY(writeBytes(project(), "{}"));
     }
 
     void second_isToldByWhom();
@@ -181,7 +176,7 @@ void TestProjectHold::nonsenseInItsPlace_isTakenOver()
 {
     for (const QByteArray &bytes : {QByteArray(), QByteArray("x"), QByteArray(100000, '['),
              QByteArray("{\"format\": \"dyncal-hold\"}")}) {
-        writeBytes(holdFile(project()), bytes);
+        QVERIFY(writeBytes(holdFile(project()), bytes));
         const std::array<timespec, 2> old{timespec{1000, 0}, timespec{1000, 0}};
         QVERIFY(::utimensat(AT_FDCWD, holdFile(project()).toLocal8Bit().constData(), old.data(), 0)
             == 0);

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "core/base/writing/atomic_file.h"
+#include "tests/support/file_bytes.h"
 #include "tests/support/test_program.h"
 #include "tests/system/dyncal_process.h"
 #include "tests/ui/support/event_loop_watchdog.h"
@@ -18,6 +19,7 @@
 
 using namespace dyncal;
 using dyncal::test::EventLoopWatchdog;
+using testing::writeBytes;
 
 namespace {
 
@@ -37,11 +39,6 @@ int commandLine(const QStringList &arguments)
     process.setProcessEnvironment(environment);
     process.start(qEnvironmentVariable("DYNCAL_BINARY"), arguments);
     return process.waitForFinished(kPatience_ms) ? process.exitCode() : -1;
-}
-
-bool writeBytes(const QString &path, const char *bytes)
-{
-    return writeFileAtomically(path.toStdString(), bytes).has_value();
 }
 
 QStringList filesBelow(const QString &folder)
@@ -138,8 +135,7 @@ void TestExport::compareWithCommandLine(const QString &folder)
     QVERIFY(files.size() > 40);
     QCOMPARE(filesBelow(folder), files);
     for (const QString &file : files)
-        QVERIFY2(
-            fileBytes(folder + '/' + file) == fileBytes(path("cli/" + file)), qPrintable(file));
+        QVERIFY2(bytesOf(folder + '/' + file) == bytesOf(path("cli/" + file)), qPrintable(file));
 }
 
 void TestExport::results_exported_areThoseOfTheCommandLine()
@@ -178,7 +174,7 @@ void TestExport::results_exportedAgain_replaceTheEarlierRun()
     QVERIFY(writeBytes(folder + "/mine.txt", "mine"));
     exportTo(folder);
     QCOMPARE(newProblems(), QStringList());
-    QCOMPARE(fileBytes(folder + "/mine.txt"), QByteArray("mine"));
+    QCOMPARE(bytesOf(folder + "/mine.txt"), QByteArray("mine"));
     QVERIFY(QFile::remove(folder + "/mine.txt"));
     compareWithCommandLine(folder);
 }
@@ -216,7 +212,7 @@ void TestExport::export_cancelledWhileDrawing_changesNothingOnDisk()
     QVERIFY(!bar->isVisible());
     QTest::qWait(100);
     QCOMPARE(filesBelow(folder), QStringList("notes.txt"));
-    QCOMPARE(fileBytes(folder + "/notes.txt"), QByteArray("earlier"));
+    QCOMPARE(bytesOf(folder + "/notes.txt"), QByteArray("earlier"));
     QCOMPARE(newProblems(), QStringList());
 }
 
@@ -227,7 +223,7 @@ void TestExport::export_intoUnwritablePlace_saysSoOnce()
     QVERIFY(!m_window->files().isBusy());
     QCOMPARE(newProblems().size(), 1);
     QVERIFY2(newProblems()[0].contains("file"), qPrintable(newProblems()[0]));
-    QCOMPARE(fileBytes(path("file")), QByteArray("no folder"));
+    QCOMPARE(bytesOf(path("file")), QByteArray("no folder"));
 }
 
 void TestExport::results_overFilesOfSomebodyElse_areNotExported()
@@ -239,7 +235,7 @@ void TestExport::results_overFilesOfSomebodyElse_areNotExported()
     QCOMPARE(newProblems().size(), 1);
     QVERIFY2(newProblems()[0].contains("recipe.json is in the way"), qPrintable(newProblems()[0]));
     QCOMPARE(filesBelow(folder), QStringList("recipe.json"));
-    QCOMPARE(fileBytes(folder + "/recipe.json"), QByteArray("mine"));
+    QCOMPARE(bytesOf(folder + "/recipe.json"), QByteArray("mine"));
 }
 
 void TestExport::certificate_exported_writesOneFile()
@@ -253,7 +249,7 @@ void TestExport::certificate_exported_writesOneFile()
     QVERIFY(watchdog.longestGap_ms() < kLongestGap_ms);
     QCOMPARE(newProblems(), QStringList());
     QCOMPARE(filesBelow(folder), QStringList("c1.pdf")); // nothing else, nothing half-made
-    QVERIFY(fileBytes(folder + "/c1.pdf") == fileBytes(path("cli/certificate.pdf")));
+    QVERIFY(bytesOf(folder + "/c1.pdf") == bytesOf(path("cli/certificate.pdf")));
 }
 
 void TestExport::quit_whileWriting_isRefused()

@@ -282,10 +282,10 @@ void TestMainWindow::close_unsaved_asks()
     bench.show(kOrderRow);
     QTest::keyClick(bench.find<PlotWidget>("singularValuePlot"), Qt::Key_Right);
     QVERIFY(bench.window->isWindowModified());
-    bench.prompts.setNextAnswer(Answer::Cancel);
+    bench.prompts.setNextAnswer(dyncal::Answer::Cancel);
     QVERIFY(!bench.window->close());
     QVERIFY(bench.window->isVisible());
-    bench.prompts.setNextAnswer(Answer::Save);
+    bench.prompts.setNextAnswer(dyncal::Answer::Save);
     const QString path = bench.folder.filePath("saved.dyncal");
     bench.prompts.setNextFile(path);
     QVERIFY(bench.window->close());

@@ -3,6 +3,7 @@
 
 #pragma once
 
+#include "tests/support/file_bytes.h"
 #include "ui/plot/curves/signal_curves.h"
 #include "ui/plot/widget/plot_widget.h"
 
@@ -16,6 +17,8 @@
 #include <limits>
 
 namespace dyncal::test {
+
+using testing::bytesOf;
 
 inline constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
 
@@ -94,12 +97,6 @@ inline int inkedPixels(const QImage &image)
         for (int x = 0; x < image.width(); ++x)
             count += qGray(image.pixel(x, y)) < 128;
     return count;
-}
-
-inline QByteArray bytesOf(const QString &path)
-{
-    QFile file(path);
-    return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
 }
 
 /// Half a pixel of the axes, in x.

@@ -132,7 +132,7 @@ private:
         QDir(bench.root).mkpath("in/corrupt");
         QVERIFY(QFile::copy(m_simulated.filePath("clipped.h5"), bench.path("in/clipped/shot.h5")));
         QVERIFY(writeBytes(
-            bench.path("in/corrupt/shot.h5"), fileBytes(m_simulated.filePath("1.h5")).left(50000)));
+            bench.path("in/corrupt/shot.h5"), bytesOf(m_simulated.filePath("1.h5")).left(50000)));
     }
 
 private slots:
@@ -184,13 +184,13 @@ void TestBatchWindow::night_goodClippedAndCorrupt_asTheCommandLineDoes()
     addBadSensors(bench);
     bench.plan();
     QCOMPARE(bench.count("missing"), 7);
-    const QByteArray plan = fileBytes(bench.path("night.jsonl"));
+    const QByteArray plan = bytesOf(bench.path("night.jsonl"));
     QCOMPARE(bench
                  .commandLine({"plan", bench.path("in"), "--recipe", bench.path("quick.json"), "-o",
                      bench.path("night.jsonl")})
                  .exitCode,
         0);
-    QCOMPARE(fileBytes(bench.path("night.jsonl")), plan);
+    QCOMPARE(bytesOf(bench.path("night.jsonl")), plan);
 
     {
         EventLoopWatchdog watchdog;
@@ -218,8 +218,8 @@ void TestBatchWindow::night_goodClippedAndCorrupt_asTheCommandLineDoes()
     QCOMPARE(bench.commandLine({"merge", bench.path("night.jsonl"), "-o", bench.path("line.csv")})
                  .exitCode,
         2);
-    QVERIFY(fileBytes(bench.path("window.csv")).count('\n') == 8);
-    QCOMPARE(fileBytes(bench.path("window.csv")), fileBytes(bench.path("line.csv")));
+    QVERIFY(bytesOf(bench.path("window.csv")).count('\n') == 8);
+    QCOMPARE(bytesOf(bench.path("window.csv")), bytesOf(bench.path("line.csv")));
     for (const char *code : {"sv", "en"}) {
         bench.language.install(code);
         QCOMPARE(test::faultsOnEveryGround(*bench.batch, bench.language), QString());
@@ -249,9 +249,9 @@ void TestBatchWindow::sensor_isOpenedByDoubleClick()
     QTRY_VERIFY_WITH_TIMEOUT(!bench.window->files().isBusy(), kPatience_ms);
     QVERIFY(bench.prompts.shownProblems().isEmpty());
     for (const char *name : {"csv/poles.csv", "csv/frequency_response.csv"}) {
-        const QByteArray exported = fileBytes(bench.path("exported/") + name);
+        const QByteArray exported = bytesOf(bench.path("exported/") + name);
         QVERIFY2(!exported.isEmpty(), name);
-        QCOMPARE(fileBytes(bench.path("night.out/SN-2/calibration/") + name), exported);
+        QCOMPARE(bytesOf(bench.path("night.out/SN-2/calibration/") + name), exported);
     }
     QJsonObject ofBatch = fileJson(bench.path("night.out/SN-2/calibration/results.json"));
     QJsonObject ofWindow = fileJson(bench.path("exported/results.json"));
@@ -397,7 +397,7 @@ void TestBatchWindow::plans_thatCannotBeUsed_areSaid()
         bench.path("in/night.jsonl").toStdString()});
     QTRY_VERIFY2(bench.outcome().contains("would lie below"), qPrintable(bench.outcome()));
     bench.plan();
-    const QByteArray plan = fileBytes(bench.path("night.jsonl"));
+    const QByteArray plan = bytesOf(bench.path("night.jsonl"));
     QVERIFY(writeBytes(
         bench.path("night.jsonl"), QByteArray(plan).replace("\"window\":", "\"window\":9")));
     bench.batch->openPlan(bench.path("night.jsonl"));

@@ -157,7 +157,7 @@ void compareFolders(const QString &one, const QString &other)
     QVERIFY(files.size() >= 9);
     QCOMPARE(QDir(other).entryList(QDir::Files | QDir::Hidden), files);
     for (const QString &file : files)
-        QVERIFY2(fileBytes(one + '/' + file) == fileBytes(other + '/' + file), qPrintable(file));
+        QVERIFY2(bytesOf(one + '/' + file) == bytesOf(other + '/' + file), qPrintable(file));
 }
 
 } // namespace
@@ -445,7 +445,7 @@ void TestCorrectionWindow::foreignFile_isNotReplaced()
     test::writeFile(bench.path("taken/filter.json"), "somebody's");
     bench.save("taken");
     QVERIFY2(bench.verdict().contains("filter.json"), qPrintable(bench.verdict()));
-    QCOMPARE(fileBytes(bench.path("taken/filter.json")), QByteArray("somebody's"));
+    QCOMPARE(bytesOf(bench.path("taken/filter.json")), QByteArray("somebody's"));
     bench.button("correctionSave")->click(); // and no folder chosen
     QVERIFY(bench.button("correctionSave")->isEnabled());
     bench.save("free");

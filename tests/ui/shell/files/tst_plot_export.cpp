@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "core/capture/formats/hdf5/hdf5_capture_writer.h"
+#include "tests/support/file_bytes.h"
 #include "tests/support/test_program.h"
 #include "tests/ui/shell/window_bench.h"
 #include "tests/ui/support/event_loop_watchdog.h"
@@ -16,17 +17,12 @@
 #include <QtTest>
 
 using namespace dyncal;
+using testing::bytesOf;
 
 namespace {
 
 constexpr int kPatience_ms = 60'000;
 constexpr double kDuration_s = 0.004;
-
-QByteArray bytesOf(const QString &path)
-{
-    QFile file(path);
-    return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
-}
 
 } // namespace
 

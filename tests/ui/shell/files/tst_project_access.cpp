@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Dyncal authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+#include "tests/support/file_bytes.h"
 #include "tests/support/test_program.h"
 #include "tests/ui/shell/window_bench.h"
 #include "ui/shell/banner/banner.h"
@@ -14,6 +15,8 @@
 #include <QtTest>
 
 using namespace dyncal;
+using testing::bytesOf;
+using testing::writeBytes;
 
 namespace {
 
@@ -21,19 +24,6 @@ PipelineOutcome noResults(const std::shared_ptr<const CaptureSet> &, const Recip
     StageId, const JobControl &)
 {
     return {};
-}
-
-QByteArray bytesOf(const QString &path)
-{
-    QFile file(path);
-    return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
-}
-
-void writeBytes(const QString &path, const QByteArray &bytes)
-{
-    QFile file(path);
-    QVERIFY(file.open(QIODevice::WriteOnly));
-    QCOMPARE(file.write(bytes), bytes.size());
 }
 
 /// One person's window.
@@ -79,7 +69,7 @@ private slots:
     void init()
     {
         m_folder = std::make_unique<QTemporaryDir>();
-        writeBytes(project(), projectBytes({}, m_folder->path()));
+        QVERIFY(writeBytes(project(), projectBytes({}, m_folder->path())));
     }
 
     void second_isReadOnlyAndToldByWhom();
@@ -234,8 +224,8 @@ void TestProjectAccess::issuedProjectBehindALink_isReadOnlyToo()
     const QString folder = m_folder->filePath("1");
     QVERIFY(QDir().mkpath(folder));
     QVERIFY(QFile::copy(project(), folder + "/project.dyncal"));
-    writeBytes(folder + "/manifest.json",
-        R"({"schema": "dyncal-manifest/1", "number": 1, "files": {"project.dyncal": ""}})");
+    QVERIFY(writeBytes(folder + "/manifest.json",
+        R"({"schema": "dyncal-manifest/1", "number": 1, "files": {"project.dyncal": ""}})"));
     const QString link = m_folder->filePath("link.dyncal");
     QVERIFY(QFile::link(folder + "/project.dyncal", link));
     const Person anna("anna");
@@ -284,8 +274,8 @@ void TestProjectAccess::issuedProject_isNeverSavedOver()
     const QString frozen = m_folder->filePath("project.dyncal");
     QVERIFY(QFile::copy(project(), frozen));
     const QByteArray before = bytesOf(frozen);
-    writeBytes(m_folder->filePath("manifest.json"),
-        R"({"schema": "dyncal-manifest/1", "number": 17, "files": {"project.dyncal": ""}})");
+    QVERIFY(writeBytes(m_folder->filePath("manifest.json"),
+        R"({"schema": "dyncal-manifest/1", "number": 17, "files": {"project.dyncal": ""}})"));
     Person anna("anna");
     QVERIFY(anna.open(frozen));
     QVERIFY(!QFile::exists(holdFile(frozen))); // nothing is added to what was issued
@@ -297,7 +287,7 @@ void TestProjectAccess::issuedProject_isNeverSavedOver()
     anna.prompts.setNextFile(m_folder->filePath("amendment.dyncal"));
     QVERIFY(anna.files().save());
     QVERIFY(!anna.isReadOnly());
-    writeBytes(m_folder->filePath("manifest.json"), "of another program");
+    QVERIFY(writeBytes(m_folder->filePath("manifest.json"), "of another program"));
     QVERIFY(anna.open(frozen) && !anna.isReadOnly());
 }
 
@@ -305,7 +295,7 @@ void TestProjectAccess::olderVersion_isNamedBeforeItIsSaved()
 {
     QJsonObject json = QJsonDocument::fromJson(bytesOf(project())).object();
     json["version"] = 1;
-    writeBytes(project(), QJsonDocument(json).toJson());
+    QVERIFY(writeBytes(project(), QJsonDocument(json).toJson()));
     Person anna("anna");
     QVERIFY(anna.open(project()));
     QVERIFY(anna.isSaidAbove());

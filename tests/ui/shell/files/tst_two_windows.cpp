@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Dyncal authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+#include "tests/support/file_bytes.h"
 #include "tests/support/test_program.h"
 #include "tests/support/trial_count.h"
 #include "ui/shell/files/file_actions.h"
@@ -11,6 +12,7 @@
 #include <random>
 
 using namespace dyncal;
+using testing::writeBytes;
 
 namespace {
 
@@ -19,17 +21,10 @@ constexpr int kSteps = 25;
 
 using Bytes = std::optional<QByteArray>; ///< of a file; none: it is not there
 
-Bytes bytesOf(const QString &path)
+Bytes bytesIfThere(const QString &path)
 {
     QFile file(path);
     return file.open(QIODevice::ReadOnly) ? Bytes(file.readAll()) : std::nullopt;
-}
-
-void writeBytes(const QString &path, const QByteArray &bytes)
-{
-    QFile file(path);
-    if (!file.open(QIODevice::WriteOnly) || file.write(bytes) != bytes.size())
-        qFatal("cannot write %s", qPrintable(path));
 }
 
 PipelineOutcome noResults(const std::shared_ptr<const CaptureSet> &, const Recipe &, ResultCache &,
@@ -71,7 +66,7 @@ struct OneWindow
         files.openProjectFile(path);
         const bool done = QTest::qWaitFor([&] { return !files.isBusy(); }, 20000);
         if (done && files.projectPath() == path)
-            known = bytesOf(path);
+            known = bytesIfThere(path);
         return done;
     }
 };
@@ -133,7 +128,7 @@ private:
             return;
         default:
             if (QFile::exists(path)) // another program
-                writeBytes(path, bytesOf(path)->replace("words", "WORDS"));
+                QVERIFY(writeBytes(path, bytesIfThere(path)->replace("words", "WORDS")));
         }
     }
 
@@ -147,13 +142,13 @@ private:
         window.prompts.setNextChangedProject(answer);
         std::map<QString, Bytes> before;
         for (const QString &path : m_paths)
-            before[path] = bytesOf(path);
+            before[path] = bytesIfThere(path);
         const int asked = window.prompts.changedProjectsAsked();
         const bool saved = underName ? window.files.saveAs() : window.files.save();
         m_saves += saved ? 1 : 0;
         const bool wasAsked = window.prompts.changedProjectsAsked() > asked;
         for (const QString &path : m_paths) {
-            if (bytesOf(path) == before[path])
+            if (bytesIfThere(path) == before[path])
                 continue;
             const bool isOwn = path == own;
             const bool knew = isOwn && before[path] == window.known;
@@ -166,7 +161,7 @@ private:
         if (wasAsked && answer == ChangedProject::Cancel && saved)
             m_problem = "saved although the operator said no";
         if (saved)
-            window.known = bytesOf(window.files.projectPath());
+            window.known = bytesIfThere(window.files.projectPath());
         if (saved && !window.known->contains(window.words().toUtf8()))
             m_problem = "the file is not what was saved";
         if (saved == window.files.isModified() && saved)
@@ -216,12 +211,12 @@ private slots:
         OneWindow first;
         OneWindow second;
         makeConflict(path("cancel.dyncal"), first, second);
-        const Bytes saved = bytesOf(path("cancel.dyncal"));
+        const Bytes saved = bytesIfThere(path("cancel.dyncal"));
         first.prompts.setNextChangedProject(ChangedProject::Cancel);
         QVERIFY(!first.files.save());
         QCOMPARE(first.prompts.changedProjectsAsked(), 1);
         QVERIFY(first.files.isModified());
-        QVERIFY(bytesOf(path("cancel.dyncal")) == saved);
+        QVERIFY(bytesIfThere(path("cancel.dyncal")) == saved);
         QVERIFY(first.prompts.shownProblems().isEmpty());
     }
 
@@ -230,12 +225,12 @@ private slots:
         OneWindow first;
         OneWindow second;
         makeConflict(path("both.dyncal"), first, second);
-        const Bytes saved = bytesOf(path("both.dyncal"));
+        const Bytes saved = bytesIfThere(path("both.dyncal"));
         first.prompts.setNextChangedProject(ChangedProject::OtherName);
         first.prompts.setNextFile(path("other.dyncal"));
         QVERIFY(first.files.save());
-        QVERIFY(bytesOf(path("both.dyncal")) == saved);
-        QVERIFY(bytesOf(path("other.dyncal"))->contains("changed in the first"));
+        QVERIFY(bytesIfThere(path("both.dyncal")) == saved);
+        QVERIFY(bytesIfThere(path("other.dyncal"))->contains("changed in the first"));
         QCOMPARE(first.files.projectPath(), path("other.dyncal"));
     }
 
@@ -246,7 +241,7 @@ private slots:
         makeConflict(path("replace.dyncal"), first, second);
         first.prompts.setNextChangedProject(ChangedProject::Replace);
         QVERIFY(first.files.save());
-        QVERIFY(bytesOf(path("replace.dyncal"))->contains("changed in the first"));
+        QVERIFY(bytesIfThere(path("replace.dyncal"))->contains("changed in the first"));
         first.edit("once more"); // its own now
         QVERIFY(first.files.save());
         QCOMPARE(first.prompts.changedProjectsAsked(), 1);
@@ -263,7 +258,7 @@ private slots:
         first.prompts.setNextFile(path("own.dyncal"));
         QVERIFY(!first.files.saveAs());
         QCOMPARE(first.prompts.changedProjectsAsked(), 1);
-        QVERIFY(bytesOf(path("own.dyncal"))->contains("changed in the second"));
+        QVERIFY(bytesIfThere(path("own.dyncal"))->contains("changed in the second"));
     }
 
     void removedProject_isSaid()
@@ -278,7 +273,7 @@ private slots:
         QCOMPARE(window.prompts.changedProjectsAsked(), 1);
         window.prompts.setNextChangedProject(ChangedProject::Replace);
         QVERIFY(window.files.save());
-        QVERIFY(bytesOf(path("gone.dyncal"))->contains("y"));
+        QVERIFY(bytesIfThere(path("gone.dyncal"))->contains("y"));
     }
 
     void touchedProject_isTheSame()
@@ -287,7 +282,7 @@ private slots:
         window.edit("x");
         window.prompts.setNextFile(path("touched.dyncal"));
         QVERIFY(window.files.saveAs());
-        writeBytes(path("touched.dyncal"), *bytesOf(path("touched.dyncal")));
+        QVERIFY(writeBytes(path("touched.dyncal"), *bytesIfThere(path("touched.dyncal"))));
         window.edit("y");
         QVERIFY(window.files.save());
         QCOMPARE(window.prompts.changedProjectsAsked(), 0);

@@ -46,7 +46,7 @@ private:
     {
         QVERIFY(bench.job.begin(m_simulated.filePath("shot.h5")));
         QVERIFY(bench.job.issue().exitCode <= 1);
-        const QByteArray issued = fileBytes(bench.job.output() + "/1/results.json");
+        const QByteArray issued = bytesOf(bench.job.output() + "/1/results.json");
         for (int year = 2021; year < 2026; ++year) {
             const QString folder = bench.job.output() + QString("/year%1").arg(year);
             QVERIFY(QDir().mkpath(folder));
@@ -99,7 +99,7 @@ void TestHistoryTab::sensor_isFollowedOverTheYears()
     bench.find<QPushButton>("historySave")->click();
     bench.waitForRegistry();
     QVERIFY2(bench.said().contains("history.csv"), qPrintable(bench.said()));
-    QVERIFY(fileBytes(csv).startsWith("quantity,"));
+    QVERIFY(bytesOf(csv).startsWith("quantity,"));
 }
 
 void TestHistoryTab::withdrawn_isLeftOut()

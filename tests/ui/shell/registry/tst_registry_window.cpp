@@ -201,7 +201,7 @@ void TestRegistryWindow::cards_areEditedAndSearched()
     bench.prompts.setNextFile(bench.path("out.csv"));
     bench.button("cardExport")->click();
     bench.waitForRegistry();
-    QCOMPARE(fileBytes(bench.path("out.csv")), csv);
+    QCOMPARE(bytesOf(bench.path("out.csv")), csv);
 
     // A file of the operator's own stays, whatever its name.
     const QByteArray mine = R"([{"name": "Mine", "fields": {}}])";
@@ -211,7 +211,7 @@ void TestRegistryWindow::cards_areEditedAndSearched()
     bench.button("cardImport")->click();
     bench.waitForRegistry();
     QTRY_COMPARE(table->rowCount(), 4);
-    QCOMPARE(fileBytes(bench.path("mine.json")), mine);
+    QCOMPARE(bytesOf(bench.path("mine.json")), mine);
 }
 
 void TestRegistryWindow::cardsThatCannotBeTaken_areSaid()
@@ -238,7 +238,7 @@ void TestRegistryWindow::registryThatIsNone_isSaid()
     bench.waitForRegistry();
     QVERIFY2(
         bench.text("registryOutcome").endsWith('.'), qPrintable(bench.text("registryOutcome")));
-    QCOMPARE(fileBytes(bench.path("none.sqlite")), QByteArray("this is no database"));
+    QCOMPARE(bytesOf(bench.path("none.sqlite")), QByteArray("this is no database"));
 
     bench.registry->setProgram(bench.path("nothing"));
     bench.registry->refresh();

@@ -50,7 +50,7 @@ struct Bench : test::IssuingBench
         QTest::keyClicks(find<QLineEdit>(name), text);
     }
     QString outcome() const { return text("issueOutcome"); }
-    QByteArray arguments() const { return fileBytes(path("arguments")); }
+    QByteArray arguments() const { return bytesOf(path("arguments")); }
     bool isSecretGone() const { return find<QLineEdit>("signingSecret")->text().isEmpty(); }
 
     /// Names of files below the job and the settings that hold these bytes.
@@ -150,7 +150,7 @@ private slots:
         QCOMPARE(bench.rows("verifyTable"), 0); // no verdict of another day is left
         bench.type("verifyMoment", {});
 
-        QByteArray pdf = fileBytes(bench.job.output() + "/1/certificate.pdf");
+        QByteArray pdf = bytesOf(bench.job.output() + "/1/certificate.pdf");
         pdf[pdf.size() / 3] = static_cast<char>(pdf[pdf.size() / 3] ^ 1);
         QVERIFY(writeBytes(bench.job.output() + "/1/certificate.pdf", pdf));
         bench.verifyFolder();
