@@ -8,6 +8,7 @@
 #include "ui/shell/findings/finding_places.h"
 #include "ui/stages/frame/status_text.h"
 #include "ui/text/finding_text.h"
+#include "ui/text/kept_units.h"
 #include "ui/text/shown_text.h"
 
 #include <QApplication>
@@ -16,6 +17,7 @@
 #include <QKeyEvent>
 #include <QMenu>
 #include <QPushButton>
+#include <QStyledItemDelegate>
 
 #include <algorithm>
 
@@ -36,6 +38,17 @@ bool isNote(const FindingGroup &group)
     return group.front().severity == Severity::Info;
 }
 
+/// Draws a sentence without parting numbers from their units; its text stays what it is.
+class SentenceDelegate : public QStyledItemDelegate
+{
+public:
+    using QStyledItemDelegate::QStyledItemDelegate;
+    QString displayText(const QVariant &value, const QLocale &) const override
+    {
+        return withUnitsKept(value.toString());
+    }
+};
+
 } // namespace
 
 FindingsPanel::FindingsPanel(QWidget *parent)
@@ -44,6 +57,7 @@ FindingsPanel::FindingsPanel(QWidget *parent)
     constexpr int kLeastLines = 6;
     setMinimumHeight(kLeastLines * fontMetrics().lineSpacing());
     setObjectName("findingsPanel");
+    setItemDelegate(new SentenceDelegate(this));
     setAccessibleName(tr("Findings"));
     setWordWrap(true);
     setTextElideMode(Qt::ElideNone);

@@ -8,8 +8,11 @@
 #include "ui/shell/findings/findings_panel.h"
 #include "ui/stages/frame/stage_page.h"
 
+#include <QClipboard>
 #include <QFile>
+#include <QGuiApplication>
 #include <QPushButton>
+#include <QStyledItemDelegate>
 #include <QTableWidget>
 #include <QtTest>
 
@@ -109,6 +112,7 @@ private slots:
     void catalogue_isReadWhole();
     void group_isOneRow_andOpens();
     void gravest_comeFirst_notesAreFolded();
+    void number_isDrawnWithItsUnit_andCopiedPlain();
     void notes_stayOpen_overRunsAndRestarts();
     void reason_forAGroup_isAskedOnce();
     void shot_isSelectedInTheTable();
@@ -191,6 +195,20 @@ void TestFindingsPanel::group_isOneRow_andOpens()
     QVERIFY(bench.rows()[2].trimmed().startsWith("▲ Caution WIN-001: Shot 3: "));
     bench.click("each_WIN-001_1");
     QCOMPARE(bench.rows().size(), 1);
+}
+
+void TestFindingsPanel::number_isDrawnWithItsUnit_andCopiedPlain()
+{
+    const Bench bench;
+    Finding odd = finding("WIN-001", Severity::Caution, 2);
+    odd.message.text = "Shot %1: 12.5 kHz is odd.";
+    bench.show({odd});
+    const auto *delegate = qobject_cast<QStyledItemDelegate *>(bench.panel->itemDelegate());
+    QVERIFY(delegate && bench.rows()[0].contains("12.5 kHz"));
+    QVERIFY(delegate->displayText(bench.rows()[0], QLocale())
+                .contains(QString("12.5%1kHz").arg(QChar(QChar::Nbsp))));
+    QTest::keyClick(bench.panel, Qt::Key_C, Qt::ControlModifier);
+    QVERIFY(QGuiApplication::clipboard()->text().contains("12.5 kHz"));
 }
 
 void TestFindingsPanel::gravest_comeFirst_notesAreFolded()
