@@ -1597,24 +1597,24 @@ steget</translation>
 <context>
     <name>KeyResults</name>
     <message>
-        <source>Pressure step of shot %1, the largest; ± is the standard uncertainty u (k = 1).</source>
-        <translation>Trycksteg för skott %1, det största; ± är standardosäkerheten u (k = 1).</translation>
+        <source>Pressure step of shot %1, the largest; in brackets the standard uncertainty u of its last digits (k = 1).</source>
+        <translation>Trycksteg för skott %1, det största; inom parentes de sista siffrornas standardosäkerhet u (k = 1).</translation>
     </message>
     <message>
         <source>Pressure step: not determined yet.</source>
         <translation>Trycksteg: ännu inte bestämt.</translation>
     </message>
     <message>
-        <source>Undamped natural frequency of the sensor; ± is the standard uncertainty u (k = 1).</source>
-        <translation>Givarens odämpade egenfrekvens; ± är standardosäkerheten u (k = 1).</translation>
+        <source>Undamped natural frequency of the sensor; in brackets the standard uncertainty u of its last digits (k = 1).</source>
+        <translation>Givarens odämpade egenfrekvens; inom parentes de sista siffrornas standardosäkerhet u (k = 1).</translation>
     </message>
     <message>
-        <source>Damping ratio of the sensor; ± is the standard uncertainty u (k = 1).</source>
-        <translation>Givarens dämpningsgrad; ± är standardosäkerheten u (k = 1).</translation>
+        <source>Damping ratio of the sensor; in brackets the standard uncertainty u of its last digits (k = 1).</source>
+        <translation>Givarens dämpningsgrad; inom parentes de sista siffrornas standardosäkerhet u (k = 1).</translation>
     </message>
     <message>
-        <source>Sensitivity: the level at the onset of the step over the pressure step, mean of the shots, with its standard uncertainty where that of the step is known.</source>
-        <translation>Känslighet: nivån vid stegets början genom trycksteget, medelvärde över skotten, med dess standardosäkerhet där stegets är känd.</translation>
+        <source>Sensitivity: the level at the onset of the step over the pressure step, mean of the shots; in brackets the standard uncertainty u of its last digits (k = 1), where that of the step is known.</source>
+        <translation>Känslighet: nivån vid stegets början genom trycksteget, medelvärde över skotten; inom parentes de sista siffrornas standardosäkerhet u (k = 1), där stegets är känd.</translation>
     </message>
 </context>
 <context>
@@ -3796,10 +3796,6 @@ steget</translation>
     <message>
         <source>Shot %1</source>
         <translation>Skott %1</translation>
-    </message>
-    <message>
-        <source>%1, u %2</source>
-        <translation>%1, u %2</translation>
     </message>
     <message>
         <source>not determined</source>

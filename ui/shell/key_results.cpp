@@ -26,7 +26,7 @@ struct Key
 KeyResult entry(
     const char *name, const QString &symbol, double value, double u, const QString &unit)
 {
-    return {name, symbol + " " + shownWithU(value, u, unit, kDigitsWithoutUncertainty), {}};
+    return {name, symbol + " " + shownConcisely(value, u, unit, kDigitsWithoutUncertainty), {}};
 }
 
 KeyResult sensitivityOf(const CalibrationResults &results)
@@ -37,7 +37,7 @@ KeyResult sensitivityOf(const CalibrationResults &results)
         uOfSensitivity(results.uncertainty.get()),
         response ? shownText(response->sensitivityUnit) : QString());
     result.meaning = Key::tr(
-        "Sensitivity: the level at the onset of the step over the pressure step, mean of the shots, with its standard uncertainty where that of the step is known.");
+        "Sensitivity: the level at the onset of the step over the pressure step, mean of the shots; in brackets the standard uncertainty u of its last digits (k = 1), where that of the step is known.");
     return result;
 }
 
@@ -61,7 +61,8 @@ KeyResult stepOf(const CalibrationResults &results, const Recipe &recipe)
     KeyResult result = entry(
         "keyStep", QStringLiteral("Δp"), shot ? *shot->step_Pa : kUnknown, u, QStringLiteral("Pa"));
     result.meaning = shot
-        ? Key::tr("Pressure step of shot %1, the largest; ± is the standard uncertainty u (k = 1).")
+        ? Key::tr(
+            "Pressure step of shot %1, the largest; in brackets the standard uncertainty u of its last digits (k = 1).")
               .arg(shot->shot)
         : Key::tr("Pressure step: not determined yet.");
     return result;
@@ -76,11 +77,11 @@ std::vector<KeyResult> keyResults(const CalibrationResults &results, const Recip
         = entry("keyFrequency", QStringLiteral("f₀"), pole ? pole->frequency_Hz : kUnknown,
             uOf(results.uncertainty.get(), "f0_hz"), QStringLiteral("Hz"));
     frequency.meaning = Key::tr(
-        "Undamped natural frequency of the sensor; ± is the standard uncertainty u (k = 1).");
+        "Undamped natural frequency of the sensor; in brackets the standard uncertainty u of its last digits (k = 1).");
     KeyResult damping = entry("keyDamping", QStringLiteral("ζ"),
         pole ? pole->dampingRatio : kUnknown, uOf(results.uncertainty.get(), "damping_ratio"), {});
-    damping.meaning
-        = Key::tr("Damping ratio of the sensor; ± is the standard uncertainty u (k = 1).");
+    damping.meaning = Key::tr(
+        "Damping ratio of the sensor; in brackets the standard uncertainty u of its last digits (k = 1).");
     if (calibrationKind(results, recipe) == CalibrationKind::FreeDecay)
         return {frequency, damping};
     return {sensitivityOf(results), frequency, damping, stepOf(results, recipe)};

@@ -16,8 +16,8 @@ namespace dyncal {
 struct KeyResult
 {
     QString name; ///< object name of its label: "keySensitivity"
-    QString text; ///< "f0 2.329980 MHz ± 0.000012 MHz"; a dash where it is not known
-    QString meaning; ///< in full, with what the ± is
+    QString text; ///< "f0 2.329980(12) MHz"; a dash where it is not known
+    QString meaning; ///< in full, with what u is
 };
 
 /// Sensitivity, natural frequency, damping ratio and pressure step, each with its standard

@@ -60,7 +60,7 @@ QStringList rowOf(const WayComparison &check)
             << shownFigures(check.difference() / check.u, 2)
             << shownQuantityBeside(
                    check.smallestDetectable(), check.value_b, shownText(check.unit), 2)
-            << shownWithU(inRowsUnit(check.difference(), check));
+            << shownWithStandardU(inRowsUnit(check.difference(), check));
     }
     return row << (check.channel.empty() ? kNone : shownText(check.channel));
 }

@@ -13,6 +13,7 @@ QString withUnitsKept(QString text)
         QStringLiteral("(?<=[0-9]) (?=(?:%|°C|dB|(?:[pnuµmkMGT]i?)?(?:Pa|Hz|V|A|s|S/s|m|g|K|bar|B))"
                        "(?![\\w]))"),
         QRegularExpression::UseUnicodePropertiesOption);
+    text.replace(QLatin1String("(u = "), QStringLiteral("(u%1=%1").arg(QChar(QChar::Nbsp)));
     return text.replace(parted, QString(QChar::Nbsp));
 }
 

@@ -124,6 +124,31 @@ ShownResult shownResultBeside(double value, double u, double beside, const QStri
     return {withUnit(shown.value), withUnit(shown.u)};
 }
 
+QString shownWithStandardU(double value, double u, const QString &unit, int digits)
+{
+    return shownWithStandardU(shownResult(value, u, unit, digits));
+}
+
+QString shownWithStandardU(const ShownResult &shown)
+{
+    return shown.u == nothing()
+        ? shown.value
+        : shown.value + QStringLiteral(" (u = ") + shown.u + QLatin1Char(')');
+}
+
+QString shownConcisely(double value, double u, const QString &unit, int digits)
+{
+    const ShownResult shown = shownResult(value, u, unit, digits);
+    static const QRegularExpression parts(QStringLiteral("^(-?\\d+(?:[.,]\\d+)?)( \\D.*)?$"));
+    static const QRegularExpression leading(QStringLiteral("^0[.,]0*"));
+    const auto number = parts.match(shown.value);
+    const auto spread = parts.match(shown.u);
+    if (!number.hasMatch() || !spread.hasMatch())
+        return shownWithStandardU(shown);
+    return QStringLiteral("%1(%2)%3")
+        .arg(number.captured(1), spread.captured(1).remove(leading), number.captured(2));
+}
+
 QString shownWithU(double value, double u, const QString &unit, int digits)
 {
     return shownWithU(shownResult(value, u, unit, digits));

@@ -45,7 +45,15 @@ inline constexpr int kDigitsOnPages = 5;
 ShownResult shownResult(double value, double u, const QString &unit, int digits = kDigitsOnPages);
 /// The same with the prefix that shownQuantity(beside, ...) has: rows that are read across.
 ShownResult shownResultBeside(double value, double u, double beside, const QString &unit);
-/// "2.329980 MHz ± 0.000012 MHz"; without a known u the value alone.
+/// "2.329980 MHz (u = 0.000012 MHz)", as the command line has it; without a known u the value
+/// alone. A standard uncertainty behind a "±" would be taken for an expanded one (GUM 7.2.2).
+QString shownWithStandardU(
+    double value, double u, const QString &unit, int digits = kDigitsOnPages);
+QString shownWithStandardU(const ShownResult &shown);
+/// "2.329980(12) MHz", u as digits of the value's last ones (GUM 7.2.2), "432.0(3.7) kPa" where u
+/// has digits before the decimal mark; with a power of ten as shownWithStandardU().
+QString shownConcisely(double value, double u, const QString &unit, int digits = kDigitsOnPages);
+/// "2.329980 MHz ± 0.000024 MHz", for U, and for what a head of a table or a label calls ± u.
 QString shownWithU(double value, double u, const QString &unit, int digits = kDigitsOnPages);
 QString shownWithU(const ShownResult &shown);
 

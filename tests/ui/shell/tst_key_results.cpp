@@ -32,7 +32,7 @@ private slots:
     {
         const std::vector<KeyResult> results = keyResults(example::calibration(), {});
         QCOMPARE(results[0].text, QString::fromUtf8("S 12.5 µV/Pa"));
-        QCOMPARE(results[1].text, QString::fromUtf8("f₀ 2.33000 MHz ± 0.00041 MHz"));
+        QCOMPARE(results[1].text, QString::fromUtf8("f₀ 2.33000(41) MHz"));
     }
 
     void freeDecay_hasFrequencyAndDampingAlone()

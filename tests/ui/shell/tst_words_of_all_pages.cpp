@@ -50,7 +50,8 @@ QStringList wordsOf(const QWidget &window)
 /// "2,33 MHz" -> "MHz"; empty if it is no number with a unit.
 QString unitOf(const QString &cell)
 {
-    static const QRegularExpression quantity("^-?\\d+(?:,\\d+)? ([^\\d\\s,;]+)(?: ± .*)?$");
+    static const QRegularExpression quantity(
+        "^-?\\d+(?:,\\d+)? ([^\\d\\s,;]+)(?: ± .*| \\(u = .*)?$");
     return quantity.match(cell).captured(1);
 }
 

@@ -94,7 +94,7 @@ void TestChecksPage::rows_sayWhatCouldNotBeMade()
     QCOMPARE(rows[0].size(), checkHeaders().size());
     QCOMPARE(rows[0][kVerdict], QString("agree"));
     QCOMPARE(rows[0][1], QString("2"));
-    QCOMPARE(rows[0][kDifference], QString("0.0100 ± 0.0040"));
+    QCOMPARE(rows[0][kDifference], QString("0.0100 (u = 0.0040)"));
     QCOMPARE(rows[1][kVerdict], QString("not made"));
     QVERIFY2(rows[1][kWays].endsWith(": No card of x."), qPrintable(rows[1][kWays]));
     QCOMPARE(rows[1][1], QString("all"));

@@ -24,6 +24,7 @@ private slots:
         QTest::newRow("decimal comma") << QString::fromUtf8("2,5 µs efter steget") << 1;
         QTest::newRow("compound") << QString::fromUtf8("12 µV/Pa, 430 m/s, 8 MiB") << 3;
         QTest::newRow("temperature") << QString::fromUtf8("21 °C or 294 K") << 2;
+        QTest::newRow("with u") << "2.33 MHz (u = 0.01 MHz)" << 4;
         QTest::newRow("counted things") << "2 shots, 3 models, 5 samples" << 0;
         QTest::newRow("words before a unit") << "shot 1 as shot 2: s and Pa" << 0;
         QTest::newRow("umlaut behind") << QString::fromUtf8("3 m\u00e4tningar, 3 s\u00e4nk") << 0;

@@ -61,6 +61,7 @@ private slots:
     void beside_isInTheUnitOfTheValue();
     void resultBeside_hasItsPrefixAndThePlaceOfU();
     void swedish_thousandsAreNotGrouped();
+    void brackets_holdTheLastDigits();
     void swedish_boundHasADecimalComma();
     void figures_keepTheirZeros();
     void notFinite_isADash();
@@ -214,6 +215,24 @@ void TestShownNumbers::swedish_thousandsAreNotGrouped()
     QCOMPARE(shownNumber(1234567.5, 9), QString("1234567,5"));
     QCOMPARE(shownQuantity(1234.5, "Hz", 6), QString("1,2345 kHz"));
     QCOMPARE(shownWithU(1.0, 0.012, "1"), QString("1,000 ± 0,012"));
+    QCOMPARE(shownWithStandardU(1.0, 0.012, "1"), QString("1,000 (u = 0,012)"));
+    QCOMPARE(shownWithStandardU(2.33e6, 130.0, "Hz"), QString("2,33000 MHz (u = 0,00013 MHz)"));
+    QCOMPARE(shownWithStandardU(1.5, std::nan(""), "Hz", 3), QString("1,50 Hz"));
+}
+
+void TestShownNumbers::brackets_holdTheLastDigits()
+{
+    QCOMPARE(shownConcisely(2.329980e6, 68.0, "Hz"), QString("2.329980(68) MHz"));
+    QCOMPARE(shownConcisely(0.0200042, 5.0e-6, {}), QString("0.0200042(50)"));
+    QCOMPARE(shownConcisely(432.04e3, 3.72e3, "Pa"), QString("432.0(3.7) kPa"));
+    QCOMPARE(shownConcisely(101.3e3, 120e3, "Pa"), QString("100(120) kPa"));
+    QCOMPARE(shownConcisely(-0.5, 0.02, "V"), QString("-500(20) mV"));
+    QCOMPARE(shownConcisely(5.0182e-6, 0.053e-6, "V/Pa"), QString::fromUtf8("5.018(53) µV/Pa"));
+    QCOMPARE(shownConcisely(12.5, std::nan(""), "Hz", 3), QString("12.5 Hz"));
+    QCOMPARE(shownConcisely(std::nan(""), 1.0, "Hz"), kDash);
+    const test::InSwedish swedish;
+    QCOMPARE(shownConcisely(432.04e3, 3.72e3, "Pa"), QString("432,0(3,7) kPa"));
+    QCOMPARE(shownConcisely(2.33e6, 130.0, "Hz"), QString("2,33000(13) MHz"));
 }
 
 void TestShownNumbers::swedish_boundHasADecimalComma()

@@ -266,8 +266,8 @@ void ModelPage::showCharacteristics()
         const ReportedValue *reported = report ? report->find(of) : nullptr;
         const bool known = value.value && reported && reported->u;
         label->setText(!response ? "–"
-                : known          ? shownWithU(*value.value, *reported->u, shownText(reported->unit))
-                                 : translated(value.words));
+                : known ? shownWithStandardU(*value.value, *reported->u, shownText(reported->unit))
+                        : translated(value.words));
     };
     show(m_rise, found.riseTime_s, "rise_time_s");
     show(m_overshoot, found.overshoot_percent, "overshoot_percent");

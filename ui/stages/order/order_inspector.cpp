@@ -8,6 +8,7 @@
 #include "ui/stages/frame/quantity_edit.h"
 #include "ui/stages/model/model_text.h"
 #include "ui/text/core_text.h"
+#include "ui/text/kept_units.h"
 #include "ui/text/quantity_format.h"
 #include "ui/text/shown_text.h"
 
@@ -200,10 +201,10 @@ void OrderInspector::showModel(const CalibrationResults &results, const SensorMo
     // A sensor that is damped well has a natural frequency and no resonance: the spectrum says so.
     const bool hasNoPeak = results.spectrum && results.spectrum->resonances.empty();
     const QString words = hasNoPeak ? tr("%1, damping %2; no resonance") : tr("%1, damping %2");
-    m_resonance->setText(pole
-            ? words.arg(shownWithU(pole->frequency_Hz, pole->with.u_frequency_Hz, "Hz"),
-                shownWithU(pole->dampingRatio, pole->with.u_dampingRatio, {}))
-            : "–");
+    m_resonance->setText(pole ? withUnitsKept(words.arg(shownWithStandardU(pole->frequency_Hz,
+                                                            pole->with.u_frequency_Hz, "Hz"),
+                             shownWithStandardU(pole->dampingRatio, pole->with.u_dampingRatio, {})))
+                              : "–");
     const auto countOf = [&](PoleClass poleClass) {
         return model ? std::ranges::count(model->poles, poleClass, &Pole::poleClass) : 0;
     };
@@ -223,11 +224,12 @@ void OrderInspector::showModel(const CalibrationResults &results, const SensorMo
         && !model->secondOrder) // no order has that sensor's poles
         spread = spreadAround(*results.evidence, model->order, pole->frequency_Hz);
     m_spread->setText(spread
-            ? tr("%1, ζ %2 (orders %3 to %4)")
-                  .arg(shownWithU(spread->frequency_Hz, spread->frequencySpread_Hz, "Hz"),
-                      shownWithU(spread->dampingRatio, spread->dampingSpread, {}))
-                  .arg(spread->fromOrder)
-                  .arg(spread->toOrder)
+            ? withUnitsKept(
+                tr("%1, ζ %2 (orders %3 to %4)")
+                    .arg(shownWithU(spread->frequency_Hz, spread->frequencySpread_Hz, "Hz"),
+                        shownWithU(spread->dampingRatio, spread->dampingSpread, {}))
+                    .arg(spread->fromOrder)
+                    .arg(spread->toOrder))
             : "–");
 }
 

@@ -201,13 +201,14 @@ void ShockPage::showTables()
 
 static QString sensitivityText(double value, double u, const QString &unit)
 {
-    return std::isfinite(u) ? shownWithU(value, u, unit) : shownQuantity(value, unit, 5);
+    return std::isfinite(u) ? shownWithStandardU(value, u, unit) : shownQuantity(value, unit, 5);
 }
 
 static QString driftText(const ShotDrift *drift)
 {
-    return drift ? shownWithU(100.0 * drift->relative, 100.0 * drift->u, QStringLiteral("%"))
-                 : QStringLiteral("\u2013");
+    return drift
+        ? shownWithStandardU(100.0 * drift->relative, 100.0 * drift->u, QStringLiteral("%"))
+        : QStringLiteral("\u2013");
 }
 
 void ShockPage::showSensitivity()

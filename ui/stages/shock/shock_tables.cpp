@@ -38,8 +38,7 @@ QString withU(double value, const std::optional<double> &u, const QString &unit,
 {
     if (!u)
         return shownQuantity(value, unit, digits);
-    const ShownResult shown = shownResult(value, *u, unit);
-    return ShockTables::tr("%1, u %2").arg(shown.value, shown.u);
+    return shownWithStandardU(value, *u, unit, digits);
 }
 
 std::optional<double> uOf(const ShockConditions &shot, StepResult result)
@@ -109,9 +108,11 @@ QString gradientText(const ShockConditions &shot)
     const double percent = 100.0 * scale;
     const ShownResult gradient = shownResult(percent * *shot.velocityFit->gradient_per_s,
         percent * shot.velocityFit->u_gradient_per_s.value_or(0.0), {});
-    QString text = ShockTables::tr("%1 %/m").arg(gradient.value);
-    if (shot.velocityFit->u_gradient_per_s)
-        text = ShockTables::tr("%1, u %2").arg(text, gradient.u);
+    const auto perMetre
+        = [](const QString &number) { return ShockTables::tr("%1 %/m").arg(number); };
+    const QString text = shot.velocityFit->u_gradient_per_s
+        ? shownWithStandardU({perMetre(gradient.value), perMetre(gradient.u)})
+        : perMetre(gradient.value);
     return shot.velocityFit->attenuated ? text : ShockTables::tr("%1 (not applied)").arg(text);
 }
 
