@@ -144,7 +144,8 @@ void TestStagePages::model_readouts_showTheResults()
 {
     PageBench<ModelPage> bench;
     QCOMPARE(bench.control<QLabel>("modelFit")->text(), QString("89.4 % of attainable 89.9 %"));
-    QCOMPARE(bench.control<QLabel>("modelRise")->text(), QString::fromUtf8("120.0 ns (u = 2.1 ns)"));
+    QCOMPARE(
+        bench.control<QLabel>("modelRise")->text(), QString::fromUtf8("120.0 ns (u = 2.1 ns)"));
     QVERIFY(!bench.control<QLabel>("modelOvershoot")->text().contains("±")); // no budget
     QCOMPARE(bench.control<ValueTable>("poleTable")->rowCount(), 1); // a pair is one line
     QCOMPARE(bench.control<ValueTable>("poleTable")->item(0, 0)->text(), QString("1.5000 MHz"));
