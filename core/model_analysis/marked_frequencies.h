@@ -19,9 +19,10 @@ struct ResonancePeak
 };
 
 /// Of a pair of poles with f0 (in hertz) and damping ratio zeta, by golden section to 1e-8 of the
-/// frequency: of a second-order sensor alone f0 sqrt(1 - 2 zeta^2). Looked for within zeta f0 and
-/// half of that frequency about it. Empty where zeta is not below 1/sqrt(2), as nothing rises then,
-/// and where |S| has no top there, because of other modes or of a level that does not ring.
+/// frequency: of a second-order sensor alone f0 sqrt(1 - 2 zeta^2). Looked for there, zeta f0 to
+/// both sides and at most half of that frequency. Empty where zeta is not below 1/sqrt(2), as
+/// nothing rises then, and where |S| has no top there, because of other modes or of a level that
+/// does not ring.
 std::optional<ResonancePeak> resonancePeak(
     const SensorModel &model, ResponseTreatment treatment, double f0_Hz, double zeta);
 
