@@ -5,8 +5,8 @@
 
 #include "ui/plot/widget/plot_widget.h"
 #include "ui/report/document_words.h"
-#include "ui/report/kept_together.h"
 #include "ui/report/report_logo.h"
+#include "ui/text/kept_together.h"
 
 #include <QCoreApplication>
 

@@ -4,6 +4,7 @@
 // The self-test in the window: it runs in the background, can be stopped, and its report is saved.
 
 #include "core/selftest/selftest_files.h"
+#include "tests/support/file_bytes.h"
 #include "tests/support/test_program.h"
 #include "tests/ui/shell/window_bench.h"
 #include "ui/shell/selftest_dialog.h"
@@ -49,11 +50,7 @@ struct DialogBench
     }
     QString verdict() const { return find<QLabel>("selfTestVerdict")->text(); }
     QPushButton *button(const char *name) const { return find<QPushButton>(name); }
-    QByteArray file(const QString &name) const
-    {
-        QFile file(folder.filePath(name));
-        return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
-    }
+    QByteArray file(const QString &name) const { return testing::bytesOf(folder.filePath(name)); }
 };
 
 } // namespace

@@ -8,7 +8,7 @@
 #include "ui/shell/findings/finding_places.h"
 #include "ui/stages/frame/status_text.h"
 #include "ui/text/finding_text.h"
-#include "ui/text/kept_units.h"
+#include "ui/text/kept_together.h"
 #include "ui/text/shown_text.h"
 
 #include <QApplication>

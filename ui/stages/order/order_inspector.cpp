@@ -8,7 +8,7 @@
 #include "ui/stages/frame/quantity_edit.h"
 #include "ui/stages/model/model_text.h"
 #include "ui/text/core_text.h"
-#include "ui/text/kept_units.h"
+#include "ui/text/kept_together.h"
 #include "ui/text/quantity_format.h"
 #include "ui/text/shown_text.h"
 

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Dyncal authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+#include "tests/support/file_bytes.h"
 #include "tests/support/test_program.h"
 #include "ui/shell/preferences/preferences.h"
 #include "ui/shell/registry/signing_panel.h"
@@ -55,11 +56,7 @@ struct Bench
         shown.sort();
         return shown;
     }
-    QByteArray settings() const
-    {
-        QFile file(folder.filePath("settings.ini"));
-        return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
-    }
+    QByteArray settings() const { return testing::bytesOf(folder.filePath("settings.ini")); }
 };
 
 } // namespace
