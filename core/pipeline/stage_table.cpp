@@ -294,7 +294,7 @@ constexpr std::array<Stage, kStageCount> kStages{{
         readModelInput, kept<&R::input, modelInput>(), of<&R::input>},
     {Decomposition, DYNCAL_TEXT("core", "decomposition"), 4, 100, "ORD-", ModelInput, Decomposition,
         true, readDecomposition, kept<&R::decomposition, decomposition>(), saidElsewhere},
-    {Model, DYNCAL_TEXT("core", "model"), 8, 10, "MOD-", Decomposition, Model, true, readModel,
+    {Model, DYNCAL_TEXT("core", "model"), 9, 10, "MOD-", Decomposition, Model, true, readModel,
         kept<&R::model, model>(), ofModel},
     {Shock, DYNCAL_TEXT("core", "shock"), 8, 1, "SHK-", Model, Shock, true, readShock,
         kept<&R::shock, shock>(), of<&R::shock>},

@@ -46,13 +46,14 @@ class JointFit:
     """One damped oscillation shared by all shots; level and amplitudes of each its own."""
 
     def __init__(self, shots, seconds, has_level=True):
-        """`seconds`: from the start to the last sample, which takes part. Without a level: a free decay."""
+        """`seconds`: from the start to the last sample, which takes part; the first does not, because the
+        start was found by it. Without a level: a free decay."""
         self.shots, self.has_level = shots, has_level
         self.own = 3 if has_level else 2  # parameters of a shot alone
-        self.count = [round(seconds * shot.rate_Hz) + 1 for shot in shots]
-        self.y = [shot.volts[shot.first:shot.first + n] - shot.stated["baseline"]
+        self.count = [round(seconds * shot.rate_Hz) for shot in shots]
+        self.y = [shot.volts[shot.first + 1:shot.first + 1 + n] - shot.stated["baseline"]
                   for shot, n in zip(shots, self.count)]
-        self.t = [np.arange(n) / shot.rate_Hz for shot, n in zip(shots, self.count)]
+        self.t = [np.arange(1, n + 1) / shot.rate_Hz for shot, n in zip(shots, self.count)]
         self.noise = [shot.stated["noise_sd"] for shot in shots]  # see check_levels
         self.rate = self._solve(self._start())
         self._amplitudes = [self._solve_amplitudes(i) for i in range(len(shots))]
@@ -63,7 +64,7 @@ class JointFit:
         y, t = self.y[0], self.t[0]
         ringing = y - y[len(y) // 2:].mean()
         power = np.abs(np.fft.rfft(ringing, 8 * len(ringing)))
-        omega = 2.0 * np.pi * np.fft.rfftfreq(8 * len(ringing), t[1])[power.argmax()]
+        omega = 2.0 * np.pi * np.fft.rfftfreq(8 * len(ringing), t[0])[power.argmax()]
         return complex(-0.02 * omega, omega)
 
     def _residual(self, x):

@@ -68,4 +68,35 @@ inline ModelInput dampedShots(
         [&](std::size_t, double t_s) { return dampedStep(f0_Hz, zeta, t_s); }, seed, made);
 }
 
+/// Shots of a step of 1, each from its first sample beyond five standard deviations on.
+struct CrossingShots
+{
+    double f0_Hz;
+    double zeta;
+    double noise = 0.005;
+    Index shots = 3;
+    double rate_Hz = 10e6;
+};
+
+inline ModelInput shotsFromTheirCrossings(const CrossingShots &made, std::uint64_t seed)
+{
+    constexpr double kSigmas = 5.0;
+    constexpr Index kQuiet = 2000, kSamples = 800;
+    std::vector<ModelSeries> series;
+    for (Index shot = 1; shot <= made.shots; ++shot) {
+        RandomStream random(seed, shot, 21);
+        const double fraction = random.nextUniform();
+        Eigen::VectorXd y = simulatedNoise(random, kQuiet + kSamples + 20, made.noise, 0.0);
+        for (Index k = kQuiet; k < y.size(); ++k)
+            y[k] += dampedStep(
+                made.f0_Hz, made.zeta, (static_cast<double>(k - kQuiet) + fraction) / made.rate_Hz);
+        Index start = kQuiet;
+        while (y[start] < kSigmas * made.noise)
+            ++start;
+        series.push_back(
+            makeSeries(shot, y.segment(start, kSamples), made.rate_Hz, y.head(kQuiet)));
+    }
+    return makeInput(ResponseTreatment::StepDeflated, made.rate_Hz, std::move(series));
+}
+
 } // namespace dyncal::testing

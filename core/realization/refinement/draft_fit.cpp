@@ -40,6 +40,18 @@ bool canRefine(const ModelInput &input, const std::vector<std::complex<double>> 
            });
 }
 
+/// All but the sample that the start was found by. It is the first beyond a threshold, so its noise
+/// points the way of the step, in every shot; the noise of those behind it does not depend on that.
+std::vector<SampleRange> usedBehindTheStart(const ModelSeries &series)
+{
+    std::vector<SampleRange> used = usedSamples(series);
+    if (used.empty())
+        used = {{0, series.fullRate.size()}};
+    if (SampleRange &first = used.front(); first.begin == 0 && first.size() > 1)
+        first.begin = 1;
+    return used;
+}
+
 } // namespace
 
 ExponentialSum atStart(const ModelSeries &series,
@@ -88,7 +100,7 @@ std::vector<RefinementRecord> refinementRecords(const ModelInput &input)
         const double range = series.fullRate.maxCoeff() - series.fullRate.minCoeff();
         const double noise = std::max(series.fullRateNoiseSd, kNoiseFree * range);
         records.push_back({series.fullRate, series.fullRate_Hz, 1.0 / noise, series.nuisance,
-            usedSamples(series)});
+            usedBehindTheStart(series)});
     }
     return records;
 }

@@ -26,7 +26,7 @@ ExponentialSum atStart(const ModelSeries &series,
 ModelDraft linearDraft(const ModelInput &input, const std::vector<std::complex<double>> &poles);
 
 /// What the refinement fits: the series at their own rate, weighted by their noise, with their
-/// nuisance terms.
+/// nuisance terms, without the sample that the start was found by.
 std::vector<RefinementRecord> refinementRecords(const ModelInput &input);
 
 /// The same, with the nuisance terms as the draft has them.

@@ -7,7 +7,6 @@
 #include "core/realization/input/left_out.h"
 #include "core/realization/refinement/coloured_covariance.h"
 #include "core/realization/refinement/draft_fit.h"
-#include "core/realization/refinement/fit_residual.h"
 #include "core/realization/refinement/pole_uncertainty.h"
 #include "core/realization/refinement/series_simulation.h"
 #include "core/realization/second_order/second_order_minimum.h"
@@ -22,18 +21,6 @@
 
 namespace dyncal {
 namespace {
-
-/// The records without the sample that each start was found by. It is the first beyond a threshold,
-/// so its noise points the way of the step; the noise of those behind it does not depend on that.
-std::vector<RefinementRecord> behindTheStart(std::vector<RefinementRecord> records)
-{
-    for (RefinementRecord &record : records) {
-        record.used = usedRanges(record);
-        if (SampleRange &first = record.used.front(); first.begin == 0 && first.size() > 1)
-            first.begin = 1;
-    }
-    return records;
-}
 
 /// All parameters at the values given.
 Eigen::VectorXd startOf(const SecondOrderProblem &problem, const SecondOrderStart &start)
@@ -146,12 +133,11 @@ void describeShots(const ModelInput &input, const SecondOrderProblem &problem,
 } // namespace
 
 std::optional<SecondOrderFit> fitSecondOrder(const ModelInput &input,
-    const std::vector<RefinementRecord> &all, const std::vector<SecondOrderStart> &starts,
+    const std::vector<RefinementRecord> &records, const std::vector<SecondOrderStart> &starts,
     const JobControl &control)
 {
     if (starts.empty())
         return std::nullopt;
-    const std::vector<RefinementRecord> records = behindTheStart(all);
     const double unit_Hz = starts.front().f0_Hz;
     const SecondOrderProblem problem(records, 1.0 / (2.0 * std::numbers::pi * unit_Hz),
         input.front.duration_s, starts.front().drift.has_value());

@@ -50,14 +50,14 @@ struct SecondOrderFit
 /// Nonlinear least squares (Levenberg-Marquardt) of the step responses
 ///     y(t) = K (1 - e^(-zeta w0 t') (cos wd t' + zeta w0/wd sin wd t')),   t' = t - onset
 /// (thesis eqs 3.11-3.17; for zeta > 1 its two real poles) to the records at their own rate, with
-/// common w0 and zeta, K and onset of each its own, without the sample that each start was found
-/// by; the covariance as in allowForColour(), for zeta of at least kLeastDamping as wide as the
-/// likelihood's upper side, with what u of the front's duration adds. With a drift the pressure
-/// behind the step changes as 1 + h e^(rate t'), at most a tenth as fast as the sensor; it is the
-/// first pole of `refinement` and no part of `sensor`. The records' nuisance terms start from those
-/// given and are fitted too; those of the tube are part of the pressure from the onset on, so the
-/// sensor responds to them too. Of several starts the one that ends lowest counts. FIT over the
-/// model inputs; `records` are those of input.series, in order. Empty where none converges.
+/// common w0 and zeta, K and onset of each its own; the covariance as in allowForColour(), for zeta
+/// of at least kLeastDamping as wide as the likelihood's upper side, with what u of the front's
+/// duration adds. With a drift the pressure behind the step changes as 1 + h e^(rate t'), at most a
+/// tenth as fast as the sensor; it is the first pole of `refinement` and no part of `sensor`. The
+/// records' nuisance terms start from those given and are fitted too; those of the tube are part of
+/// the pressure from the onset on, so the sensor responds to them too. Of several starts the one
+/// that ends lowest counts. FIT over the model inputs; `records` are refinementRecords(input).
+/// Empty where none converges.
 std::optional<SecondOrderFit> fitSecondOrder(const ModelInput &input,
     const std::vector<RefinementRecord> &records, const std::vector<SecondOrderStart> &starts,
     const JobControl &control = {});

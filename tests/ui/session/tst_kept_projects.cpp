@@ -9,12 +9,13 @@
 #include "ui/session/project_file.h"
 
 #include <QDir>
-#include <QMap>
+#include <QStringList>
 #include <QtTest>
 
 #include <algorithm>
 #include <set>
 #include <utility>
+#include <vector>
 
 using namespace dyncal;
 
@@ -55,6 +56,26 @@ QStringList linesOf(const CertificateData &certificate)
     return lines;
 }
 
+/// The number that a line ends with as it is today: uncertainty 8 (U of resonance, edges, rise time
+/// and overshoot know the mounting) and model 9 (no sample that a start was found by).
+QString withTodaysNumbers(QString line)
+{
+    static const std::vector<std::pair<QString, QString>> kNumbers{{"0.016", "0.026"},
+        {"0.011 kHz", "0.017 kHz"}, {"0.015 kHz", "0.023 kHz"}, {"0.11 kHz", "0.18 kHz"},
+        {"2.8127 \xC2\xB5s", "2.814 \xC2\xB5s"}, {"0.0089 \xC2\xB5s", "0.014 \xC2\xB5s"},
+        {"0.13 %", "0.22 %"}, {"60.0044 kHz", "60.0042 kHz"}, {"0.05003", "0.05002"},
+        {"9.993", "9.996"}, {"59.8540 kHz", "59.8538 kHz"}, {"13.129 kHz", "13.131 kHz"},
+        {"18.143 kHz", "18.145 kHz"}, {"93.06 kHz", "93.05 kHz"}, {"85.43 %", "85.41 %"},
+        {"0.912563 \xC2\xB1 j0.360840", "0.912567 \xC2\xB1 j0.360841"}, {"0.50059", "0.50047"},
+        {"0.00085", "0.00091"}, {"-87.11 \xC2\xB0", "-87.10 \xC2\xB0"},
+        {"-172.7 \xC2\xB0", "-172.6 \xC2\xB0"}, {"1.83 \xC2\xB5V/Pa", "1.82 \xC2\xB5V/Pa"},
+        {"agree for 16 of 28 values and rows", "agree for 17 of 28 values and rows"}};
+    for (const auto &[then, now] : kNumbers)
+        if (line.endsWith(' ' + then))
+            return line.chopped(then.size()) + now;
+    return line;
+}
+
 /// A line of a kept certificate as a program of today says it: other words, five digits of a
 /// temperature, and k = 2 where 1.96 was printed (with U of 2 u, whose two digits are the same
 /// here), and the numbers that a later method changed on purpose (docs/accuracy.md).
@@ -75,16 +96,19 @@ QString inTodaysWords(QString line)
             "%; in this noise the true model would reach 99.18 % on average"}};
     for (const auto &[then, now] : kWords)
         line.replace(then, now);
-    // uncertainty 8: U of resonance, edges, rise time and overshoot know the mounting
-    static const QMap<QString, QString> kNumbers{{"0.016", "0.026"}, {"0.011 kHz", "0.017 kHz"},
-        {"0.015 kHz", "0.022 kHz"}, {"0.11 kHz", "0.17 kHz"},
-        {"2.8127 \xC2\xB5s", "2.813 \xC2\xB5s"}, {"0.0089 \xC2\xB5s", "0.014 \xC2\xB5s"},
-        {"0.13 %", "0.21 %"}};
-    static const QString kKeyResult = "Key results: : ";
-    if (line.startsWith(kKeyResult))
-        line
-            = kKeyResult + kNumbers.value(line.mid(kKeyResult.size()), line.mid(kKeyResult.size()));
-    return line.replace("agree for 16 of 28", "agree for 14 of 28");
+    return withTodaysNumbers(line);
+}
+
+/// What one has and the other has not; both agree but for their order where it is empty.
+QString differences(const QStringList &then, const QStringList &now)
+{
+    QStringList lines;
+    for (const QString &line : then)
+        lines += now.contains(line) ? "" : "then: " + line;
+    for (const QString &line : now)
+        lines += then.contains(line) ? "" : "now:  " + line;
+    lines.removeAll("");
+    return lines.join('\n');
 }
 
 /// Of a table that no kept certificate has.
@@ -157,9 +181,7 @@ void TestKeptProjects::opened_isComputedAsItWasKept()
     QStringList now = linesOf(makeCertificate(outcome.results, opened->recipe, kept->savedUtc));
     now.removeIf(isNew);
     QVERIFY(then.size() > 100);
-    for (const QString &line : then)
-        QVERIFY2(now.contains(line), qPrintable(line));
-    QCOMPARE(now, then);
+    QVERIFY2(now == then, qPrintable(differences(then, now)));
 }
 
 DYNCAL_TEST(TestKeptProjects)

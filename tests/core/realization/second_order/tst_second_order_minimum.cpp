@@ -61,28 +61,6 @@ struct Minimised
     }
 };
 
-/// Three shots of a damped sensor, each from its first sample beyond five standard deviations on.
-ModelInput shotsFromTheirCrossings(double zeta, std::uint64_t seed)
-{
-    constexpr double kNoise = 0.005, kSigmas = 5.0;
-    constexpr Index kQuiet = 2000, kSamples = 800;
-    std::vector<ModelSeries> series;
-    for (Index shot = 1; shot <= 3; ++shot) {
-        RandomStream random(seed, shot, 21);
-        const double fraction = random.nextUniform();
-        Eigen::VectorXd y = testing::simulatedNoise(random, kQuiet + kSamples + 10, kNoise, 0.0);
-        for (Index k = kQuiet; k < y.size(); ++k)
-            y[k] += testing::dampedStep(
-                kF0_Hz, zeta, (static_cast<double>(k - kQuiet) + fraction) / kRate_Hz);
-        Index start = kQuiet;
-        while (y[start] < kSigmas * kNoise)
-            ++start;
-        series.push_back(
-            testing::makeSeries(shot, y.segment(start, kSamples), kRate_Hz, y.head(kQuiet)));
-    }
-    return testing::makeInput(ResponseTreatment::StepDeflated, kRate_Hz, std::move(series));
-}
-
 std::optional<SecondOrderFit> fitted(const ModelInput &input, double zeta)
 {
     return fitSecondOrder(
@@ -175,7 +153,9 @@ private slots:
         std::array<int, 2> inside{};
         for (int seed = 1; seed <= runs; ++seed) {
             const auto fit
-                = fitted(shotsFromTheirCrossings(kZeta, static_cast<std::uint64_t>(seed)), kZeta);
+                = fitted(testing::shotsFromTheirCrossings(
+                             {.f0_Hz = kF0_Hz, .zeta = kZeta}, static_cast<std::uint64_t>(seed)),
+                    kZeta);
             QVERIFY(fit.has_value());
             const SecondOrderModel &sensor = fit->sensor;
             // The fast pole's time constant over the slow one's, in which the records are linear.
