@@ -96,7 +96,8 @@ int runGui(int argc, char **argv, const std::vector<std::string> &files)
 {
     const bool tour = argc >= 3 && std::string_view(argv[1]) == kTourOption;
     const QString tourFolder = tour ? QString::fromLocal8Bit(argv[2]) : QString();
-    const QString tourLanguage(argc == 4 ? argv[3] : "en");
+    const QString tourLanguage(argc >= 4 ? argv[3] : "en");
+    const QString tourTheme(argc >= 5 ? argv[4] : "light");
     if (tour && !qEnvironmentVariableIsSet("DISPLAY"))
         qputenv("QT_QPA_PLATFORM", "offscreen");
     keepHeapCompact();
@@ -114,7 +115,7 @@ int runGui(int argc, char **argv, const std::vector<std::string> &files)
     Prompts prompts;
     Language language;
     language.install(tour ? tourLanguage : preferences.language());
-    useTheme(tour ? ThemeKind::Light : preferences.theme());
+    useTheme(tour ? themeKindFromName(tourTheme) : preferences.theme());
     MainWindow window(runPipeline, currentUtc, preferences, prompts, language);
     window.show();
     if (tour)

@@ -155,7 +155,7 @@ int main(int argc, char **argv)
     const auto isStopped = isCommandLine ? &dyncal::isStopRequested : nullptr;
     const dyncal::TerminalText answers(std::cout, isStopped);
     const dyncal::TerminalText complaints(std::cerr, isStopped);
-    if ((argc == 3 || argc == 4) && std::string_view(argv[1]) == "--screenshot-tour")
+    if (argc >= 3 && argc <= 5 && std::string_view(argv[1]) == "--screenshot-tour")
         return dyncal::runGui(argc, argv, {});
     return isCommandLine ? dyncal::runCommandLine(argc, argv) : dyncal::openWorkbench(argc, argv);
 }

@@ -4,6 +4,7 @@
 #include "ui/shell/screenshot_tour.h"
 
 #include "ui/shell/main_window.h"
+#include "ui/stages/certificate/preview_panel.h"
 #include "ui/stages/frame/stage_page.h"
 
 #include <QDir>
@@ -12,6 +13,7 @@
 #include <QTimer>
 
 #include <cstdio>
+#include <functional>
 
 namespace dyncal {
 
@@ -27,17 +29,31 @@ void wait(int milliseconds)
     loop.exec();
 }
 
-bool waitUntilComputed(MainWindow &window)
+bool waitUntil(const std::function<bool()> &isDone)
 {
     QElapsedTimer clock;
     clock.start();
-    while (window.files().isBusy() || window.session().isComputing()
-        || !window.session().state().hasShots()) {
+    while (!isDone()) {
         if (clock.elapsed() > kPatience_ms)
             return false;
         wait(50);
     }
     return true;
+}
+
+bool waitUntilComputed(MainWindow &window)
+{
+    return waitUntil([&] {
+        return !window.files().isBusy() && !window.session().isComputing()
+            && window.session().state().hasShots();
+    });
+}
+
+/// A page that draws a document draws it once it is on show.
+bool waitUntilDrawn(const MainWindow &window)
+{
+    const auto *preview = window.findChild<PreviewPanel *>();
+    return waitUntil([&] { return !preview || !preview->isVisible() || preview->isCurrent(); });
 }
 
 bool shoot(MainWindow &window, const QDir &folder, const QString &name)
@@ -66,8 +82,11 @@ bool runScreenshotTour(MainWindow &window, const QString &folder)
     }
     for (std::size_t row = 0; done && row < window.pages().size(); ++row) {
         window.showPage(static_cast<int>(row));
-        done = shoot(window, target,
-            QString("%1-%2").arg(row + 1, 2, 10, QChar('0')).arg(window.pages()[row]->text().name));
+        done = waitUntilDrawn(window)
+            && shoot(window, target,
+                QString("%1-%2")
+                    .arg(row + 1, 2, 10, QChar('0'))
+                    .arg(window.pages()[row]->text().name));
     }
     return done;
 }

@@ -10,8 +10,9 @@ namespace dyncal {
 class MainWindow;
 
 /// Opens the example in `window`, shows every page in turn and writes each as a PNG into `folder`
-/// (made if needed): for the documentation and for inspection. False when something failed; stderr
-/// says what.
+/// (made if needed), the certificate once it is drawn: for the documentation and for inspection.
+/// `--screenshot-tour FOLDER [en|sv|de [light|dark|high-contrast]]`. False when something failed;
+/// stderr says what.
 bool runScreenshotTour(MainWindow &window, const QString &folder);
 
 } // namespace dyncal
