@@ -1017,10 +1017,6 @@
         <translation>Referenzaufnehmer, Kanal</translation>
     </message>
     <message>
-        <source>Certificate of the reference transducer</source>
-        <translation>Kalibrierschein des Referenzaufnehmers</translation>
-    </message>
-    <message>
         <source>Sensitivity of the reference transducer</source>
         <translation>Empfindlichkeit des Referenzaufnehmers</translation>
     </message>
@@ -1395,14 +1391,6 @@
     <message>
         <source>A value of another calibration stands in the table of this one, under its name, only where both agree within their expanded uncertainties (absolute En at most 1); below the band it is compared with the sensitivity at the onset of the step. It is no result of this calibration; the line &quot;compared at&quot; of its frequency is.</source>
         <translation>Ein Wert einer anderen Kalibrierung steht in der Tabelle dieser Kalibrierung, unter deren Namen, nur dort, wo beide innerhalb ihrer erweiterten Messunsicherheiten übereinstimmen (Betrag von En höchstens 1); unterhalb des Bandes wird er mit der Empfindlichkeit beim Einsatz des Sprungs verglichen. Er ist kein Ergebnis dieser Kalibrierung; die Zeile „verglichen bei“ seiner Frequenz ist es.</translation>
-    </message>
-    <message>
-        <source>The lower limit follows from the length of the window, the upper one from the noise and the sample rate. Frequencies are settings, without an uncertainty. The model&apos;s values have the digits of the wider of their uncertainty and the measured value&apos;s; they end at half the sample rate of the model. A dash means that the value, or its complete uncertainty, was not determined.</source>
-        <translation>Die untere Grenze folgt aus der Länge des Fensters, die obere aus dem Rauschen und der Abtastrate. Frequenzen sind Einstellungen ohne Unsicherheit. Die Werte des Modells haben die Stellen der größeren aus ihrer Unsicherheit und der des gemessenen Werts; sie enden bei der halben Abtastrate des Modells. Ein Strich bedeutet, dass der Wert oder seine vollständige Unsicherheit nicht bestimmt wurde.</translation>
-    </message>
-    <message>
-        <source>The band also ends where the response of amplifier and converter, which is divided out, is not stated.</source>
-        <translation>Das Band endet auch dort, wo die Antwort von Verstärker und Wandler, durch die geteilt wird, nicht angegeben ist.</translation>
     </message>
     <message>
         <source>The values without a model are ratios of the item&apos;s record to that of the reference transducer, times its sensitivity; outside the frequencies of its calibration there are none. Where what sampling or the end of the records may change exceeds both the uncertainty of the noise and 2 % of the magnitude, none is stated.</source>
@@ -4089,14 +4077,6 @@
         <translation>Nummer des Kalibrierscheins</translation>
     </message>
     <message>
-        <source>U of the step is its expanded uncertainty with the coverage factor k of the same line, for a coverage probability of at least %1 %: that of the reference transducer&apos;s certificate, its chain and the noise of its level. It is contained in the uncertainty of the sensitivity.</source>
-        <translation>U des Sprungs ist seine erweiterte Messunsicherheit mit dem Erweiterungsfaktor k derselben Zeile, für eine Überdeckungswahrscheinlichkeit von mindestens %1 %: die des Kalibrierscheins des Referenzaufnehmers, seiner Messkette und des Rauschens seines Pegels. Sie ist in der Unsicherheit der Empfindlichkeit enthalten.</translation>
-    </message>
-    <message>
-        <source>U of the step is its expanded uncertainty with the coverage factor k of the same line, for a coverage probability of at least %1 %. It follows from the uncertainties of the shock velocity, the initial pressure and temperature and the gas, and holds for an ideal shock tube. It is contained in the uncertainties of the sensitivity and of the magnitudes of the frequency response.</source>
-        <translation>U des Sprungs ist seine erweiterte Messunsicherheit mit dem Erweiterungsfaktor k derselben Zeile, für eine Überdeckungswahrscheinlichkeit von mindestens %1 %. Sie folgt aus den Unsicherheiten der Geschwindigkeit der Stoßwelle, des Anfangsdrucks, der Anfangstemperatur und des Gases und gilt für ein ideales Stoßrohr. Sie ist in den Unsicherheiten der Empfindlichkeit und der Beträge des Frequenzgangs enthalten.</translation>
-    </message>
-    <message>
         <source>No pressure step is determined, as the laboratory chose not to evaluate the shock wave. No sensitivity in the unit of pressure can be stated.</source>
         <translation>Kein Drucksprung ist bestimmt, da das Laboratorium die Stoßwelle nicht auswerten wollte. Es kann keine Empfindlichkeit in der Einheit des Drucks angegeben werden.</translation>
     </message>
@@ -4119,10 +4099,6 @@
     <message>
         <source>The results are traceable to the International System of Units (SI) through the reference standards that are listed with their certificates in the section &quot;Method&quot;.</source>
         <translation>Die Ergebnisse sind über die im Abschnitt „Verfahren“ mit ihren Kalibrierscheinen genannten Bezugsnormale auf das Internationale Einheitensystem (SI) rückgeführt.</translation>
-    </message>
-    <message>
-        <source>U = k u is the expanded uncertainty, u the complete standard uncertainty, for a coverage probability of about 95 % (GUM, JCGM 100). Its contributions are listed in the section &quot;Results in detail&quot;.</source>
-        <translation>U = k u ist die erweiterte Messunsicherheit, u die vollständige Standardunsicherheit, für eine Überdeckungswahrscheinlichkeit von etwa 95 % (GUM, JCGM 100). Ihre Beiträge stehen im Abschnitt „Ergebnisse im Einzelnen“.</translation>
     </message>
     <message>
         <source>%1 trials: both agree for %2 of %3 values and rows</source>
@@ -4503,6 +4479,90 @@
     <message>
         <source>what the mounting may add to the level decides it</source>
         <translation>was der Einbau zum Pegel beitragen kann, entscheidet darüber</translation>
+    </message>
+    <message>
+        <source>The calibration of the reference transducer begins at %1, and the level of the step lies below %2: its sensitivity may be another there by %3 %, as its rows show, which is in the uncertainty. Have it calibrated down to %2, or state the transducer as a model.</source>
+        <translation>Die Kalibrierung des Referenzaufnehmers beginnt bei %1, und der Pegel des Sprungs liegt unter %2: Dort kann seine Empfindlichkeit um %3 % anders sein, wie seine Zeilen zeigen, was in der Unsicherheit enthalten ist. Lassen Sie ihn bis %2 hinab kalibrieren, oder geben Sie den Aufnehmer als Modell an.</translation>
+    </message>
+    <message>
+        <source>The calibration of the reference transducer is one row at %1, and the level of the step lies below %2: what its sensitivity is there is not known, so the step has no uncertainty. Have it calibrated down to %2, or state the transducer as a model.</source>
+        <translation>Die Kalibrierung des Referenzaufnehmers ist eine Zeile bei %1, und der Pegel des Sprungs liegt unter %2: Was seine Empfindlichkeit dort ist, ist nicht bekannt, also hat der Sprung keine Unsicherheit. Lassen Sie ihn bis %2 hinab kalibrieren, oder geben Sie den Aufnehmer als Modell an.</translation>
+    </message>
+    <message>
+        <source>What the uncertainty of the sensitivity is made of</source>
+        <translation>Woraus die Unsicherheit der Empfindlichkeit besteht</translation>
+    </message>
+    <message>
+        <source>Contribution (k = 1)</source>
+        <translation>Beitrag (k = 1)</translation>
+    </message>
+    <message>
+        <source>all others together</source>
+        <translation>alle übrigen zusammen</translation>
+    </message>
+    <message>
+        <source>U of the step is its expanded uncertainty with the coverage factor k of the same line, for a coverage probability of about %1 %: that of the reference transducer&apos;s certificate, its chain and the noise of its level. It is contained in the uncertainty of the sensitivity.</source>
+        <translation>U des Sprungs ist seine erweiterte Messunsicherheit mit dem Erweiterungsfaktor k derselben Zeile, für eine Überdeckungswahrscheinlichkeit von etwa %1 %: die des Kalibrierscheins des Referenzaufnehmers, seiner Messkette und des Rauschens seines Pegels. Sie ist in der Unsicherheit der Empfindlichkeit enthalten.</translation>
+    </message>
+    <message>
+        <source>U of the step is its expanded uncertainty with the coverage factor k of the same line, for a coverage probability of about %1 %. It follows from the uncertainties of the shock velocity, the initial pressure and temperature and the gas, and holds for an ideal shock tube. It is contained in the uncertainties of the sensitivity and of the magnitudes of the frequency response.</source>
+        <translation>U des Sprungs ist seine erweiterte Messunsicherheit mit dem Erweiterungsfaktor k derselben Zeile, für eine Überdeckungswahrscheinlichkeit von etwa %1 %. Sie folgt aus den Unsicherheiten der Geschwindigkeit der Stoßwelle, des Anfangsdrucks, der Anfangstemperatur und des Gases und gilt für ein ideales Stoßrohr. Sie ist in den Unsicherheiten der Empfindlichkeit und der Beträge des Frequenzgangs enthalten.</translation>
+    </message>
+    <message>
+        <source>The initial pressure is absolute: the item was under it before the step.</source>
+        <translation>Der Anfangsdruck ist absolut: Der Gegenstand stand vor dem Sprung unter ihm.</translation>
+    </message>
+    <message>
+        <source>Gas before the item</source>
+        <translation>Gas vor dem Gegenstand</translation>
+    </message>
+    <message>
+        <source>%V1, ratio of specific heats %L2, molar mass %L3</source>
+        <translation>%V1, Verhältnis der spezifischen Wärmen %L2, molare Masse %L3</translation>
+    </message>
+    <message>
+        <source>one over the length of the shortest window</source>
+        <translation>eins durch die Länge des kürzesten Fensters</translation>
+    </message>
+    <message>
+        <source>where the noise begins to exceed 10 % of the magnitude</source>
+        <translation>wo das Rauschen 10 % des Betrags zu überschreiten beginnt</translation>
+    </message>
+    <message>
+        <source>0.4 of the lowest sample rate</source>
+        <translation>0,4 der niedrigsten Abtastrate</translation>
+    </message>
+    <message>
+        <source>half the sample rate of the model</source>
+        <translation>die halbe Abtastrate des Modells</translation>
+    </message>
+    <message>
+        <source>where the calibration of the reference transducer ends</source>
+        <translation>wo die Kalibrierung des Referenzaufnehmers endet</translation>
+    </message>
+    <message>
+        <source>where the stated response of amplifier and converter ends</source>
+        <translation>wo der angegebene Frequenzgang von Verstärker und Wandler endet</translation>
+    </message>
+    <message>
+        <source>The lower limit of the band is %M1, the upper limit %M2.</source>
+        <translation>Die untere Grenze des Bands ist %M1, die obere %M2.</translation>
+    </message>
+    <message>
+        <source>Frequencies are settings, without an uncertainty. The model&apos;s values have the digits of the wider of their uncertainty and the measured value&apos;s; they end at half the sample rate of the model. A dash means that the value, or its complete uncertainty, was not determined.</source>
+        <translation>Frequenzen sind Einstellungen ohne Unsicherheit. Die Werte des Modells haben die Stellen der größeren aus ihrer Unsicherheit und der des gemessenen Werts; sie enden bei der halben Abtastrate des Modells. Ein Strich bedeutet, dass der Wert oder seine vollständige Unsicherheit nicht bestimmt wurde.</translation>
+    </message>
+    <message>
+        <source>U = k u is the expanded uncertainty, u the complete standard uncertainty, for a coverage probability of about 95 % (GUM, JCGM 100). What it is made of stands in the section &quot;Results in detail&quot;.</source>
+        <translation>U = k u ist die erweiterte Messunsicherheit, u die vollständige Standardunsicherheit, für eine Überdeckungswahrscheinlichkeit von etwa 95 % (GUM, JCGM 100). Woraus sie besteht, steht im Abschnitt „Ergebnisse im Einzelnen“.</translation>
+    </message>
+    <message>
+        <source>Of those quantities whose interval by Monte Carlo stands in the section &quot;Results in detail&quot;, that interval is the one to use: it reaches beyond U to one side.</source>
+        <translation>Für die Größen, deren Intervall nach Monte Carlo im Abschnitt „Ergebnisse im Einzelnen“ steht, ist dieses Intervall zu verwenden: Es reicht nach einer Seite über U hinaus.</translation>
+    </message>
+    <message>
+        <source>not divided out: frequency response, poles and what follows from them are of sensor and chain together</source>
+        <translation>nicht herausgeteilt: Frequenzgang, Pole und was aus ihnen folgt, sind die von Aufnehmer und Kette zusammen</translation>
     </message>
 </context>
 </TS>

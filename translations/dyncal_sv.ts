@@ -1158,6 +1158,14 @@ steget</translation>
         <source>Standard uncertainty of the front&apos;s duration</source>
         <translation>Standardosäkerhet för frontens varaktighet</translation>
     </message>
+    <message>
+        <source>Number of the transducer&apos;s certificate, where its file states none: without one no certificate is issued</source>
+        <translation>Numret på givarens bevis, där dess fil inte anger något: utan ett sådant utfärdas inget bevis</translation>
+    </message>
+    <message>
+        <source>Number of the chain&apos;s certificate, where its file states none: without one no certificate is issued</source>
+        <translation>Numret på mätkedjans bevis, där dess fil inte anger något: utan ett sådant utfärdas inget bevis</translation>
+    </message>
 </context>
 <context>
     <name>Corrections</name>
@@ -3539,6 +3547,10 @@ steget</translation>
     <message>
         <source>values of other calibrations</source>
         <translation>värden från andra kalibreringar</translation>
+    </message>
+    <message>
+        <source>certificate of the chain</source>
+        <translation>mätkedjans bevis</translation>
     </message>
 </context>
 <context>
@@ -7206,10 +7218,6 @@ steget</translation>
         <translation>Känsligheten har ingen fullständig osäkerhet (%M1). Ange det som saknas i uncertainty.budget eller i registreringen; utan den är ingen känslighet ett resultat.</translation>
     </message>
     <message>
-        <source>The lower limit follows from the length of the window, the upper one from the noise and the sample rate. Frequencies are settings, without an uncertainty. The model&apos;s values have the digits of the wider of their uncertainty and the measured value&apos;s; they end at half the sample rate of the model. A dash means that the value, or its complete uncertainty, was not determined.</source>
-        <translation>Den undre gränsen följer av fönstrets längd, den övre av bruset och samplingsfrekvensen. Frekvenser är inställningar, utan osäkerhet. Modellens värden har de siffror som den större av deras och det uppmätta värdets osäkerhet medger; de slutar vid modellens halva samplingsfrekvens. Ett streck betyder att värdet, eller dess fullständiga osäkerhet, inte har bestämts.</translation>
-    </message>
-    <message>
         <source>a part of it is not known</source>
         <translation>en del av den är inte känd</translation>
     </message>
@@ -7224,10 +7232,6 @@ steget</translation>
     <message>
         <source>Reference transducer, channel</source>
         <translation>Referensgivare, kanal</translation>
-    </message>
-    <message>
-        <source>Certificate of the reference transducer</source>
-        <translation>Referensgivarens kalibreringsbevis</translation>
     </message>
     <message>
         <source>Sensitivity of the reference transducer</source>
@@ -7516,10 +7520,6 @@ steget</translation>
     <message>
         <source>Least U of the laboratory (CMC), below which none is stated</source>
         <translation>Laboratoriets minsta U (CMC), under vilket inget anges</translation>
-    </message>
-    <message>
-        <source>The band also ends where the response of amplifier and converter, which is divided out, is not stated.</source>
-        <translation>Bandet slutar också där svaret hos förstärkare och omvandlare, som räknas bort, inte är angivet.</translation>
     </message>
     <message>
         <source>no statement: every judged row is accepted, but between them, at %1, the model deviates by %2 %; ask for rows there (response.frequencies)</source>
@@ -8818,10 +8818,6 @@ steget</translation>
         <translation>Redovisade storheter saknar sin fullständiga osäkerhet: %1; ange det som saknas i budgeten för var och en (docs/method/uncertainty.md).</translation>
     </message>
     <message>
-        <source>No certificate of a reference is named for %1, so the results are not traceable; state it in uncertainty.budget (&quot;certificate&quot;, &quot;due&quot;).</source>
-        <translation>Inget certifikat för en referens är angivet för %1, så resultaten är inte spårbara; ange det i uncertainty.budget (&quot;certificate&quot;, &quot;due&quot;).</translation>
-    </message>
-    <message>
         <source>The profile %1 needs &quot;issue&quot; as an object with &quot;second_name&quot; true or false.</source>
         <translation>Profilen %1 behöver &quot;issue&quot; som ett objekt med &quot;second_name&quot; true eller false.</translation>
     </message>
@@ -10006,14 +10002,6 @@ steget</translation>
         <translation>Bevisets nummer</translation>
     </message>
     <message>
-        <source>U of the step is its expanded uncertainty with the coverage factor k of the same line, for a coverage probability of at least %1 %: that of the reference transducer&apos;s certificate, its chain and the noise of its level. It is contained in the uncertainty of the sensitivity.</source>
-        <translation>Stegets U är dess utvidgade osäkerhet med täckningsfaktorn k på samma rad, för en täckningssannolikhet på minst %1 %: osäkerheten hos referensgivarens kalibreringsbevis, hos dess mätkedja och bruset hos dess nivå. Den ingår i känslighetens osäkerhet.</translation>
-    </message>
-    <message>
-        <source>U of the step is its expanded uncertainty with the coverage factor k of the same line, for a coverage probability of at least %1 %. It follows from the uncertainties of the shock velocity, the initial pressure and temperature and the gas, and holds for an ideal shock tube. It is contained in the uncertainties of the sensitivity and of the magnitudes of the frequency response.</source>
-        <translation>U för steget är dess utvidgade osäkerhet med täckningsfaktorn k på samma rad, för en täckningssannolikhet på minst %1 %. Den följer av osäkerheterna för stötvågens hastighet, begynnelsetrycket, begynnelsetemperaturen och gasen och gäller för ett idealt stötrör. Den ingår i osäkerheterna för känsligheten och för frekvenssvarets belopp.</translation>
-    </message>
-    <message>
         <source>No pressure step is determined, as the laboratory chose not to evaluate the shock wave. No sensitivity in the unit of pressure can be stated.</source>
         <translation>Inget trycksteg är bestämt, eftersom laboratoriet har valt att inte utvärdera stötvågen. Ingen känslighet i tryckenhet kan anges.</translation>
     </message>
@@ -10036,10 +10024,6 @@ steget</translation>
     <message>
         <source>The results are traceable to the International System of Units (SI) through the reference standards that are listed with their certificates in the section &quot;Method&quot;.</source>
         <translation>Resultaten är spårbara till Internationella måttenhetssystemet (SI) genom de referenser som anges med sina kalibreringsbevis i avsnittet ”Metod”.</translation>
-    </message>
-    <message>
-        <source>U = k u is the expanded uncertainty, u the complete standard uncertainty, for a coverage probability of about 95 % (GUM, JCGM 100). Its contributions are listed in the section &quot;Results in detail&quot;.</source>
-        <translation>U = k u är den utvidgade osäkerheten, u den fullständiga standardosäkerheten, för en täckningssannolikhet på ungefär 95 % (GUM, JCGM 100). Dess bidrag står i avsnittet ”Resultat i detalj”.</translation>
     </message>
     <message>
         <source>%1 trials: both agree for %2 of %3 values and rows</source>
@@ -10604,6 +10588,94 @@ steget</translation>
     <message>
         <source>what the mounting may add to the level decides it</source>
         <translation>det som monteringen kan lägga till nivån avgör det</translation>
+    </message>
+    <message>
+        <source>The calibration of the reference transducer begins at %1, and the level of the step lies below %2: its sensitivity may be another there by %3 %, as its rows show, which is in the uncertainty. Have it calibrated down to %2, or state the transducer as a model.</source>
+        <translation>Referensgivarens kalibrering börjar vid %1, och stegets nivå ligger under %2: där kan känsligheten vara en annan med %3 %, som dess rader visar, vilket ingår i osäkerheten. Låt kalibrera den ned till %2, eller ange givaren som en modell.</translation>
+    </message>
+    <message>
+        <source>The calibration of the reference transducer is one row at %1, and the level of the step lies below %2: what its sensitivity is there is not known, so the step has no uncertainty. Have it calibrated down to %2, or state the transducer as a model.</source>
+        <translation>Referensgivarens kalibrering är en rad vid %1, och stegets nivå ligger under %2: vad känsligheten är där är inte känt, så steget har ingen osäkerhet. Låt kalibrera den ned till %2, eller ange givaren som en modell.</translation>
+    </message>
+    <message>
+        <source>What the uncertainty of the sensitivity is made of</source>
+        <translation>Vad känslighetens osäkerhet består av</translation>
+    </message>
+    <message>
+        <source>Contribution (k = 1)</source>
+        <translation>Bidrag (k = 1)</translation>
+    </message>
+    <message>
+        <source>all others together</source>
+        <translation>alla övriga tillsammans</translation>
+    </message>
+    <message>
+        <source>U of the step is its expanded uncertainty with the coverage factor k of the same line, for a coverage probability of about %1 %: that of the reference transducer&apos;s certificate, its chain and the noise of its level. It is contained in the uncertainty of the sensitivity.</source>
+        <translation>Stegets U är dess utvidgade osäkerhet med täckningsfaktorn k på samma rad, för en täckningssannolikhet på ungefär %1 %: osäkerheten hos referensgivarens kalibreringsbevis, hos dess mätkedja och bruset hos dess nivå. Den ingår i känslighetens osäkerhet.</translation>
+    </message>
+    <message>
+        <source>U of the step is its expanded uncertainty with the coverage factor k of the same line, for a coverage probability of about %1 %. It follows from the uncertainties of the shock velocity, the initial pressure and temperature and the gas, and holds for an ideal shock tube. It is contained in the uncertainties of the sensitivity and of the magnitudes of the frequency response.</source>
+        <translation>U för steget är dess utvidgade osäkerhet med täckningsfaktorn k på samma rad, för en täckningssannolikhet på ungefär %1 %. Den följer av osäkerheterna för stötvågens hastighet, begynnelsetrycket, begynnelsetemperaturen och gasen och gäller för ett idealt stötrör. Den ingår i osäkerheterna för känsligheten och för frekvenssvarets belopp.</translation>
+    </message>
+    <message>
+        <source>The initial pressure is absolute: the item was under it before the step.</source>
+        <translation>Begynnelsetrycket är absolut: givaren stod under det före steget.</translation>
+    </message>
+    <message>
+        <source>Gas before the item</source>
+        <translation>Gas framför givaren</translation>
+    </message>
+    <message>
+        <source>%V1, ratio of specific heats %L2, molar mass %L3</source>
+        <translation>%V1, kvot av specifika värmen %L2, molmassa %L3</translation>
+    </message>
+    <message>
+        <source>one over the length of the shortest window</source>
+        <translation>ett genom det kortaste fönstrets längd</translation>
+    </message>
+    <message>
+        <source>where the noise begins to exceed 10 % of the magnitude</source>
+        <translation>där bruset börjar överskrida 10 % av beloppet</translation>
+    </message>
+    <message>
+        <source>0.4 of the lowest sample rate</source>
+        <translation>0,4 av den lägsta samplingstakten</translation>
+    </message>
+    <message>
+        <source>half the sample rate of the model</source>
+        <translation>halva modellens samplingstakt</translation>
+    </message>
+    <message>
+        <source>where the calibration of the reference transducer ends</source>
+        <translation>där referensgivarens kalibrering slutar</translation>
+    </message>
+    <message>
+        <source>where the stated response of amplifier and converter ends</source>
+        <translation>där det angivna svaret hos förstärkare och omvandlare slutar</translation>
+    </message>
+    <message>
+        <source>The lower limit of the band is %M1, the upper limit %M2.</source>
+        <translation>Bandets undre gräns är %M1, dess övre gräns %M2.</translation>
+    </message>
+    <message>
+        <source>Frequencies are settings, without an uncertainty. The model&apos;s values have the digits of the wider of their uncertainty and the measured value&apos;s; they end at half the sample rate of the model. A dash means that the value, or its complete uncertainty, was not determined.</source>
+        <translation>Frekvenser är inställningar, utan osäkerhet. Modellens värden har de siffror som den större av deras och det uppmätta värdets osäkerhet medger; de slutar vid modellens halva samplingsfrekvens. Ett streck betyder att värdet, eller dess fullständiga osäkerhet, inte har bestämts.</translation>
+    </message>
+    <message>
+        <source>U = k u is the expanded uncertainty, u the complete standard uncertainty, for a coverage probability of about 95 % (GUM, JCGM 100). What it is made of stands in the section &quot;Results in detail&quot;.</source>
+        <translation>U = k u är den utvidgade osäkerheten, u den fullständiga standardosäkerheten, för en täckningssannolikhet på ungefär 95 % (GUM, JCGM 100). Vad den består av står i avsnittet ”Resultat i detalj”.</translation>
+    </message>
+    <message>
+        <source>Of those quantities whose interval by Monte Carlo stands in the section &quot;Results in detail&quot;, that interval is the one to use: it reaches beyond U to one side.</source>
+        <translation>För de storheter vars intervall enligt Monte Carlo står i avsnittet ”Resultat i detalj” är det intervallet som ska användas: det når utanför U åt ett håll.</translation>
+    </message>
+    <message>
+        <source>not divided out: frequency response, poles and what follows from them are of sensor and chain together</source>
+        <translation>inte bortdelat: frekvenssvar, poler och vad som följer av dem är givarens och mätkedjans tillsammans</translation>
+    </message>
+    <message>
+        <source>No certificate of a reference is named for %1, so the results are not traceable; state it in uncertainty.budget (&quot;certificate&quot;, &quot;due&quot;), of a reference transducer in comparison.certificate, of a chain in chain.certificate.</source>
+        <translation>Inget certifikat för en referens är angivet för %1, så resultaten är inte spårbara; ange det i uncertainty.budget (&quot;certificate&quot;, &quot;due&quot;), för en referensgivare i comparison.certificate, för en mätkedja i chain.certificate.</translation>
     </message>
 </context>
 <context>
@@ -15220,6 +15292,18 @@ steget</translation>
     <message>
         <source>the only one</source>
         <translation>den enda</translation>
+    </message>
+    <message>
+        <source>Certificate number</source>
+        <translation>Bevisets nummer</translation>
+    </message>
+    <message>
+        <source>as the file states it</source>
+        <translation>som filen anger det</translation>
+    </message>
+    <message>
+        <source>Change the number of the certificate</source>
+        <translation>Ändra bevisets nummer</translation>
     </message>
 </context>
 <context>

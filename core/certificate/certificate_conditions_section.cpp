@@ -156,13 +156,19 @@ void addSteps(const CalibrationResults &results, const Recipe &recipe, Certifica
     if (stepUncertain && isByTransducer)
         section.notes.push_back(
             {DYNCAL_TEXT("core",
-                 "U of the step is its expanded uncertainty with the coverage factor k of the same line, for a coverage probability of at least %1 %: that of the reference transducer's certificate, its chain and the noise of its level. It is contained in the uncertainty of the sensitivity."),
+                 "U of the step is its expanded uncertainty with the coverage factor k of the same line, for a coverage probability of about %1 %: that of the reference transducer's certificate, its chain and the noise of its level. It is contained in the uncertainty of the sensitivity."),
                 {numberText(100.0 * recipe.uncertainty.coverage, 4)}});
     else if (stepUncertain)
         section.notes.push_back(
             {DYNCAL_TEXT("core",
-                 "U of the step is its expanded uncertainty with the coverage factor k of the same line, for a coverage probability of at least %1 %. It follows from the uncertainties of the shock velocity, the initial pressure and temperature and the gas, and holds for an ideal shock tube. It is contained in the uncertainties of the sensitivity and of the magnitudes of the frequency response."),
+                 "U of the step is its expanded uncertainty with the coverage factor k of the same line, for a coverage probability of about %1 %. It follows from the uncertainties of the shock velocity, the initial pressure and temperature and the gas, and holds for an ideal shock tube. It is contained in the uncertainties of the sensitivity and of the magnitudes of the frequency response."),
                 {numberText(100.0 * recipe.uncertainty.coverage, 4)}});
+    if (std::ranges::any_of(steps ? steps->shots : std::vector<ShockConditions>(),
+            [](const ShockConditions &shot) { return shot.states.has_value(); }))
+        section.notes.push_back(
+            {DYNCAL_TEXT("core",
+                 "The initial pressure is absolute: the item was under it before the step."),
+                {}});
     if (stepMissing)
         section.notes.push_back(
             {DYNCAL_TEXT("core",
@@ -188,6 +194,28 @@ Message stepNotWanted()
 
 } // namespace
 
+namespace {
+
+/// The gas that the pressure step rests on, of the first shot that has one.
+void addMedium(const CalibrationResults &results, const Recipe &recipe, CertificateSection &section)
+{
+    const ShockConditionsSet *steps = stepsUsed(results, recipe);
+    if (!steps)
+        return;
+    const auto found = std::ranges::find_if(
+        steps->shots, [](const ShockConditions &shot) { return shot.drivenGas && shot.states; });
+    if (found == steps->shots.end())
+        return;
+    const GasModel &gas = *found->drivenGas;
+    section.fields.push_back({"medium", {DYNCAL_TEXT("core", "Gas before the item"), {}},
+        {DYNCAL_TEXT("core", "%V1, ratio of specific heats %L2, molar mass %L3"),
+            {gas.name, fixedText(gas.constants.gamma, 4),
+                fixedText(1000.0 * gas.constants.molarMass_kg_mol, 3) + " g/mol"}},
+        false});
+}
+
+} // namespace
+
 CertificateSection conditionsSection(const CalibrationResults &results, const Recipe &recipe)
 {
     CertificateSection section;
@@ -200,6 +228,7 @@ CertificateSection conditionsSection(const CalibrationResults &results, const Re
             environmentRange(results, &Environment::ambientPressure_Pa, "Pa"), false},
         {"relative_humidity", {DYNCAL_TEXT("core", "Relative humidity"), {}},
             environmentRange(results, &Environment::relativeHumidity, "%"), false}};
+    addMedium(results, recipe, section);
     switch (calibrationKind(results, recipe)) {
     case CalibrationKind::ComputedStep:
     case CalibrationKind::TypedStep:

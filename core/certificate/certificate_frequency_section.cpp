@@ -313,17 +313,34 @@ void addKnown(const UncertaintyReport &report, CertificateSection &section)
             {}});
 }
 
+Message endWords(BandEnd end)
+{
+    switch (end) {
+    case BandEnd::Window:
+        return {DYNCAL_TEXT("core", "one over the length of the shortest window"), {}};
+    case BandEnd::Noise:
+        return {DYNCAL_TEXT("core", "where the noise begins to exceed 10 % of the magnitude"), {}};
+    case BandEnd::Rate:
+        return {DYNCAL_TEXT("core", "0.4 of the lowest sample rate"), {}};
+    case BandEnd::ModelRate:
+        return {DYNCAL_TEXT("core", "half the sample rate of the model"), {}};
+    case BandEnd::Reference:
+        return {DYNCAL_TEXT("core", "where the calibration of the reference transducer ends"), {}};
+    case BandEnd::Chain:
+        break;
+    }
+    return {DYNCAL_TEXT("core", "where the stated response of amplifier and converter ends"), {}};
+}
+
 void addNotes(const ResponseResult &response, std::size_t rows, CertificateSection &section)
 {
     section.notes.push_back(
+        {DYNCAL_TEXT("core", "The lower limit of the band is %M1, the upper limit %M2."), {},
+            {endWords(response.lowEnd), endWords(response.highEnd)}});
+    section.notes.push_back(
         {DYNCAL_TEXT("core",
-             "The lower limit follows from the length of the window, the upper one from the noise and the sample rate. Frequencies are settings, without an uncertainty. The model's values have the digits of the wider of their uncertainty and the measured value's; they end at half the sample rate of the model. A dash means that the value, or its complete uncertainty, was not determined."),
+             "Frequencies are settings, without an uncertainty. The model's values have the digits of the wider of their uncertainty and the measured value's; they end at half the sample rate of the model. A dash means that the value, or its complete uncertainty, was not determined."),
             {}});
-    if (response.lowEnd == BandEnd::Chain || response.highEnd == BandEnd::Chain)
-        section.notes.push_back(
-            {DYNCAL_TEXT("core",
-                 "The band also ends where the response of amplifier and converter, which is divided out, is not stated."),
-                {}});
     if (response.isByTransducer) {
         section.notes.push_back(
             {DYNCAL_TEXT("core",

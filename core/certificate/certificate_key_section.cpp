@@ -3,6 +3,7 @@
 
 #include "core/certificate/certificate_key_section.h"
 
+#include "core/certificate/certificate_monte_carlo.h"
 #include "core/certificate/certificate_sensitivity.h"
 #include "core/certificate/certificate_words.h"
 #include "core/certificate/result_quantity.h"
@@ -141,8 +142,13 @@ CertificateSection keyResultsSection(
     addQuantityTables(keyQuantities(results, recipe, layout), section);
     section.notes.push_back(
         {DYNCAL_TEXT("core",
-             "U = k u is the expanded uncertainty, u the complete standard uncertainty, for a coverage probability of about 95 % (GUM, JCGM 100). Its contributions are listed in the section \"Results in detail\"."),
+             "U = k u is the expanded uncertainty, u the complete standard uncertainty, for a coverage probability of about 95 % (GUM, JCGM 100). What it is made of stands in the section \"Results in detail\"."),
             {}});
+    if (monteCarloTable(results, keyQuantities(results, recipe, layout)))
+        section.notes.push_back(
+            {DYNCAL_TEXT("core",
+                 "Of those quantities whose interval by Monte Carlo stands in the section \"Results in detail\", that interval is the one to use: it reaches beyond U to one side."),
+                {}});
     return section;
 }
 

@@ -40,6 +40,8 @@ std::optional<DrawnInterval> intervalOf(
     const ResultQuantity &of, const DrawnQuantity &drawn, const GumValidation &gum)
 {
     const double reach = printedCoverage(of.k) * of.u + gum.tolerance;
+    if (of.leastExpanded > printedCoverage(of.k) * of.u) // nothing narrower than the CMC is stated
+        return std::nullopt;
     const bool isBeyond = drawn.low < of.value - reach || drawn.high > of.value + reach;
     return !gum.validated && isBeyond ? std::optional(DrawnInterval{drawn.low, drawn.high})
                                       : std::nullopt;
@@ -84,8 +86,9 @@ std::optional<CertificateField> monteCarloField(const CalibrationResults &result
 std::optional<CertificateTable> monteCarloTable(
     const CalibrationResults &results, const std::vector<ResultQuantity> &quantities)
 {
+    constexpr Index kFewest = 10'000; // for the ends of 95 % (JCGM 101, 7.2.2)
     const auto &drawn = results.chainMonteCarlo;
-    if (!drawn || drawn->trials == 0)
+    if (!drawn || drawn->trials < kFewest)
         return std::nullopt;
     CertificateTable table;
     table.id = "monte-carlo";

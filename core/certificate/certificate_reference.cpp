@@ -37,10 +37,6 @@ std::vector<CertificateField> referenceFields(
     std::vector<CertificateField> fields{
         {"reference_channel", {DYNCAL_TEXT("core", "Reference transducer, channel"), {}},
             verbatim(records->channel), false}};
-    if (!records->certificate.empty())
-        fields.push_back({"reference_certificate",
-            {DYNCAL_TEXT("core", "Certificate of the reference transducer"), {}},
-            verbatim(records->certificate), false});
     fields.push_back(
         {"reference_source", {DYNCAL_TEXT("core", "Sensitivity of the reference transducer"), {}},
             sourceText(*records, recipe.comparison), false});

@@ -5,6 +5,7 @@
 
 #include "core/base/constants.h"
 #include "core/base/rounding.h"
+#include "core/certificate/certificate_budget.h"
 #include "core/certificate/certificate_key_section.h"
 #include "core/certificate/certificate_monte_carlo.h"
 #include "core/certificate/certificate_nuisance.h"
@@ -169,6 +170,10 @@ CertificateSection resultsSection(
         addSensitivityDetails(results, section);
     if (auto table = monteCarloTable(results, keyQuantities(results, recipe, layout)))
         section.tables.push_back(std::move(*table));
+    if (kind != CalibrationKind::FreeDecay && results.uncertainty
+        && results.uncertainty->sensitivity)
+        if (auto table = budgetTable(*results.uncertainty->sensitivity))
+            section.tables.push_back(std::move(*table));
     section.notes.push_back(uncertaintyNote(kind));
     return section;
 }

@@ -37,11 +37,18 @@ void addProfile(const Recipe &recipe, TraceFields &fields)
 
 void addChain(const CalibrationResults &results, TraceFields &fields)
 {
-    if (!results.reference || !results.reference->chain || !results.response
-        || results.response->magnitude.size() == 0)
+    if (!results.response || results.response->magnitude.size() == 0)
         return;
-    const ChainResponse &chain = *results.reference->chain;
     const Message label{DYNCAL_TEXT("core", "Response of amplifier and converter"), {}};
+    if (!results.reference || !results.reference->chain) {
+        fields.push_back({"chain", label,
+            {DYNCAL_TEXT("core",
+                 "not divided out: frequency response, poles and what follows from them are of sensor and chain together"),
+                {}},
+            false});
+        return;
+    }
+    const ChainResponse &chain = *results.reference->chain;
     fields.push_back({"chain", label,
         chain.certificate.empty()
             ? Message{DYNCAL_TEXT("core",
@@ -124,9 +131,9 @@ Message referenceText(const BudgetEntry &entry, bool isOver)
         {numberOf(entry), entry.due}, {of}};
 }
 
-bool isOver(const BudgetEntry &entry, const std::string &day)
+bool isOver(const std::string &due, const std::string &day)
 {
-    return !entry.due.empty() && !day.empty() && calendarDate(entry.due) < day;
+    return !due.empty() && !day.empty() && calendarDate(due) < day;
 }
 
 CertificateField referenceField(const BudgetEntry &entry, bool isOver)
@@ -158,8 +165,20 @@ void addBudgetReferences(
     for (const BudgetEntry &entry : recipe.uncertainty.budget) {
         const bool isUsed = hasStep || isOfModel(entry, results);
         if (isUsed && (!entry.certificate.empty() || !entry.due.empty()))
-            fields.push_back(referenceField(entry, isOver(entry, day)));
+            fields.push_back(referenceField(entry, isOver(entry.due, day)));
     }
+}
+
+/// Certificate of the reference transducer, as those of the budget's inputs.
+void addTransducer(const CalibrationResults &results, const Recipe &recipe, TraceFields &fields)
+{
+    const ReferenceRecords *records = results.reference ? results.reference->transducer() : nullptr;
+    if (!records || (records->certificate.empty() && records->due.empty()))
+        return;
+    const BudgetEntry entry{.quantity = "reference_sensitivity_relative",
+        .certificate = records->certificate,
+        .due = records->due};
+    fields.push_back(referenceField(entry, isOver(entry.due, dayPerformed(recipe))));
 }
 
 } // namespace
@@ -171,6 +190,7 @@ std::vector<CertificateField> traceabilityFields(
     addProfile(recipe, fields);
     addChain(results, fields);
     addCapability(results, recipe, fields);
+    addTransducer(results, recipe, fields);
     addBudgetReferences(results, recipe, fields);
     return fields;
 }

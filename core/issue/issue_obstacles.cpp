@@ -132,9 +132,22 @@ std::string sourceOf(const UncertaintyLine &line)
 /// Inputs that a measuring instrument is behind, which must be traceable.
 bool isMeasured(const std::string &quantity)
 {
-    constexpr std::array<std::string_view, 7> kMeasured{"p1_pa", "t1_k", "velocity_m_s",
-        "distance_m", "step_relative", "gain_relative", "clock_relative"};
+    constexpr std::array<std::string_view, 10> kMeasured{"p1_pa", "t1_k", "velocity_m_s",
+        "distance_m", "step_relative", "gain_relative", "clock_relative",
+        "reference_sensitivity_relative", "reference_gain_relative", "chain_relative"};
     return std::ranges::find(kMeasured, quantity) != kMeasured.end();
+}
+
+/// Named in the file of a transducer or chain, or beside it.
+bool isFileCertified(const CalibrationResults &results, const std::string &quantity)
+{
+    if (!results.reference)
+        return false;
+    const ReferenceRecords *transducer = results.reference->transducer();
+    return (quantity == "reference_sensitivity_relative" && transducer
+               && !isBlank(transducer->certificate))
+        || (quantity == "chain_relative" && results.reference->chain
+            && !isBlank(results.reference->chain->certificate));
 }
 
 bool hasCertificate(const Recipe &recipe, const std::string &quantity)
@@ -149,8 +162,8 @@ void addTraceability(const CalibrationResults &results, const Recipe &recipe, Fi
     std::set<std::string> untraced;
     const auto look = [&](const ReportedValue &reported) {
         for (const UncertaintyLine &line : reported.lines)
-            if (const std::string source = sourceOf(line);
-                isMeasured(source) && !hasCertificate(recipe, source))
+            if (const std::string source = sourceOf(line); isMeasured(source)
+                && !hasCertificate(recipe, source) && !isFileCertified(results, source))
                 untraced.insert(source);
     };
     if (results.uncertainty && results.uncertainty->sensitivity)
@@ -162,7 +175,7 @@ void addTraceability(const CalibrationResults &results, const Recipe &recipe, Fi
     if (!untraced.empty())
         block(findings, "CER-009",
             {DYNCAL_TEXT("core",
-                 "No certificate of a reference is named for %1, so the results are not traceable; state it in uncertainty.budget (\"certificate\", \"due\")."),
+                 "No certificate of a reference is named for %1, so the results are not traceable; state it in uncertainty.budget (\"certificate\", \"due\"), of a reference transducer in comparison.certificate, of a chain in chain.certificate."),
                 {commaList(Names(untraced.begin(), untraced.end()))}});
 }
 

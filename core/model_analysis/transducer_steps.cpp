@@ -4,6 +4,7 @@
 #include "core/model_analysis/transducer_steps.h"
 
 #include "core/model_analysis/noise_density.h"
+#include "core/reference/reference_checks.h"
 
 #include <algorithm>
 #include <cmath>
@@ -39,13 +40,26 @@ double uLevel_relative(const WindowedResponse &response)
     return std::sqrt(variance) * std::abs(response.valueScale / response.step);
 }
 
+/// What the level is divided by. Where the table begins above what the record resolves, u has what
+/// the sensitivity may change below it.
+ReferencePoint sensitivityAtLevel(
+    const ReferenceRecords &reference, const WindowedResponse &response)
+{
+    ReferencePoint point = reference.sensitivity.lowest();
+    if (beginsAboveTheLevel(reference.sensitivity, response))
+        point.u_magnitude = std::hypot(point.u_magnitude, reference.sensitivity.changeBelow());
+    return point;
+}
+
 std::optional<StepUncertainty> uncertaintyOf(const ReferenceRecords &reference,
     const WindowedResponse &response, double step_Pa, const UncertainInput &gain)
 {
-    const ReferencePoint lowest = reference.sensitivity.lowest();
+    const ReferencePoint S_ref = sensitivityAtLevel(reference, response);
+    if (!std::isfinite(S_ref.u_magnitude))
+        return std::nullopt;
     const std::vector<UncertainInput> inputs{
-        {"reference_sensitivity_relative", 1.0, lowest.u_magnitude / lowest.magnitude,
-            Distribution::Normal, lowest.dof, true},
+        {"reference_sensitivity_relative", 1.0, S_ref.u_magnitude / S_ref.magnitude,
+            Distribution::Normal, S_ref.dof, true},
         gain, {"reference_level_relative", 1.0, uLevel_relative(response)}};
     auto budget = propagateGum(inputs, [=](const Eigen::VectorXd &x) -> Result<Eigen::VectorXd> {
         Eigen::VectorXd all = Eigen::VectorXd::Zero(kStepResults);

@@ -17,7 +17,9 @@ inline constexpr const char *kReferenceGain = "reference_gain_relative";
 
 /// The pressure step of each shot as the reference transducer saw it: the settled level of its
 /// record over its sensitivity at the lowest frequency of its calibration (docs/method/
-/// comparison.md). Inputs of its u: reference_sensitivity_relative and reference_gain_relative
+/// comparison.md). Inputs of its u: reference_sensitivity_relative (where the calibration begins
+/// above the level also what may change below it; unknown of a single row) and
+/// reference_gain_relative
 /// (chain of the reference; +-0.5 % unless stated) common to all shots, reference_level_relative
 /// (noise) of each. What else is known of a shot is kept from `shock`.
 ShockConditionsSet stepsByTransducer(const ReferenceRecords &reference,

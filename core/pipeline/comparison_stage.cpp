@@ -47,6 +47,10 @@ Result<ComparisonResult> comparisonStage(const CalibrationResults &results, cons
     result.due = reference->due;
     result.againstStep = compareWithStep(*byTransducer, *byStep, reference->correlationWithStep);
     result.findings = judgeReferenceRecords(*reference, recipe.checks);
+    if (recipe.response.isByTransducer()) {
+        const Findings ofLevel = judgeLevelOfReference(*reference);
+        result.findings.insert(result.findings.end(), ofLevel.begin(), ofLevel.end());
+    }
     if (result.againstStep) {
         const Findings against = judgeAgainstStep(*result.againstStep);
         result.findings.insert(result.findings.end(), against.begin(), against.end());

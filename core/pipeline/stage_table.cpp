@@ -298,7 +298,7 @@ constexpr std::array<Stage, kStageCount> kStages{{
         kept<&R::model, model>(), ofModel},
     {Shock, DYNCAL_TEXT("core", "shock"), 8, 1, "SHK-", Model, Shock, true, readShock,
         kept<&R::shock, shock>(), of<&R::shock>},
-    {Reference, DYNCAL_TEXT("core", "reference transducer"), 4, 1, "", Shock, Comparison, true,
+    {Reference, DYNCAL_TEXT("core", "reference transducer"), 5, 1, "", Shock, Comparison, true,
         readReference, kept<&R::reference, reference>(), saidElsewhere},
     {Response, DYNCAL_TEXT("core", "response"), 11, 30, "RSP-", Reference, Model, true,
         readResponse, kept<&R::response, response>(), of<&R::response>},

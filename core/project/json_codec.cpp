@@ -3,6 +3,7 @@
 
 #include "core/project/json_codec.h"
 
+#include "core/base/calendar_date.h"
 #include "core/base/number_text.h"
 #include "core/project/nearest_word.h"
 
@@ -237,6 +238,11 @@ Codec<std::string> formedTextOrNull(std::string needs, bool (*hasForm)(std::stri
         return found;
     };
     return {std::move(needs), read, text.write};
+}
+
+Codec<std::string> dateOrNull()
+{
+    return formedTextOrNull("null or a date such as 2026-01-31", isCalendarDate);
 }
 
 } // namespace dyncal

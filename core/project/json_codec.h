@@ -139,6 +139,7 @@ Codec<Auto<T>> orAuto(Codec<T> inner)
 Codec<std::string> textOrNull();
 /// The same where the text must have a form; `needs` says which, with the null.
 Codec<std::string> formedTextOrNull(std::string needs, bool (*hasForm)(std::string_view));
+Codec<std::string> dateOrNull(); ///< a day, as 2026-01-31
 
 /// A list of at least `least` values.
 template <typename T>

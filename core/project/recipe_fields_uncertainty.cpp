@@ -3,7 +3,6 @@
 
 #include "core/project/recipe_fields_uncertainty.h"
 
-#include "core/base/calendar_date.h"
 #include "core/project/capability_quantities.h"
 #include "core/project/correlated_quantities.h"
 #include "core/project/recipe_limits.h"
@@ -14,11 +13,6 @@ namespace {
 constexpr Index kLeastTrials = 100; // as propagateMonteCarlo() takes them
 constexpr Index kMostTrials = 1000000;
 constexpr Index kLargestSeed = 9007199254740991; // every JSON reader keeps it exactly
-
-Codec<std::string> dateOrNull()
-{
-    return formedTextOrNull("null or a date such as 2026-01-31", isCalendarDate);
-}
 
 Codec<BudgetEntry> budgetEntry()
 {

@@ -16,7 +16,7 @@ std::string hashOf(const ChainSettings &s)
 bool ChainSettings::operator==(const ChainSettings &other) const
 {
     return source == other.source && sha256 == other.sha256 && quantityId == other.quantityId
-        && hashOf(*this) == hashOf(other);
+        && certificate == other.certificate && hashOf(*this) == hashOf(other);
 }
 
 } // namespace dyncal

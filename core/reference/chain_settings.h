@@ -17,6 +17,7 @@ struct ChainSettings
     std::string source; ///< file, relative to the recipe; "" = none
     std::string sha256; ///< that it must have; "" = any
     std::string quantityId; ///< of the list in a certificate in XML
+    std::string certificate; ///< its number, where the file states none
 
     /// What `source` holds; no key of the recipe: whoever reads a recipe reads the file too.
     std::shared_ptr<const ReferenceSource> loaded;

@@ -10,8 +10,8 @@ namespace {
 
 auto keysOf(const ComparisonSettings &s)
 {
-    return std::tie(s.enabled, s.channel, s.source, s.sha256, s.quantityId, s.model, s.unit,
-        s.delay_s, s.u_delay_s, s.correlationWithStep);
+    return std::tie(s.enabled, s.channel, s.source, s.sha256, s.quantityId, s.certificate, s.due,
+        s.model, s.unit, s.delay_s, s.u_delay_s, s.correlationWithStep);
 }
 
 std::string contentOf(const ComparisonSettings &s)

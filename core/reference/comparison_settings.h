@@ -37,6 +37,8 @@ struct ComparisonSettings
     std::string source; ///< file, relative to the recipe; "" = none
     std::string sha256; ///< that it must have; "" = any
     std::string quantityId; ///< of the list in a certificate in XML
+    std::string certificate; ///< its number, where the file states none
+    std::string due; ///< day until which it holds
     std::optional<ReferenceModel> model; ///< instead of a file
     std::string unit = "V/Pa"; ///< of the reference's sensitivity
     double delay_s = 0.0; ///< by which the step reaches the reference later than the DUT

@@ -8,6 +8,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string>
+#include <utility>
+#include <vector>
 
 namespace dyncal {
 namespace {
@@ -80,6 +83,38 @@ Findings judgeReferenceRecords(const ReferenceRecords &records, const CheckSetti
         addFlatTop(response, checks, findings);
     }
     return findings;
+}
+
+bool beginsAboveTheLevel(const ReferenceSensitivity &sensitivity, const WindowedResponse &response)
+{
+    return sensitivity.lowest_Hz() * static_cast<double>(response.length) > response.sampleRate_Hz;
+}
+
+Findings judgeLevelOfReference(const ReferenceRecords &records)
+{
+    constexpr double kMatters = 0.1; // of u: U grows by half a percent of itself
+    const ReferencePoint lowest = records.sensitivity.lowest();
+    const double change = records.sensitivity.changeBelow();
+    const auto isAbove = [&](const WindowedResponse &response) {
+        return beginsAboveTheLevel(records.sensitivity, response);
+    };
+    const auto found = std::ranges::find_if(records.responses, isAbove);
+    if (found == records.responses.end() || change <= kMatters * lowest.u_magnitude)
+        return {};
+    const double level_Hz = found->sampleRate_Hz / static_cast<double>(found->length);
+    const char *known = DYNCAL_TEXT("core",
+        "The calibration of the reference transducer begins at %1, and the level of the step lies below %2: its sensitivity may be another there by %3 %, as its rows show, which is in the uncertainty. Have it calibrated down to %2, or state the transducer as a model.");
+    const char *unknown = DYNCAL_TEXT("core",
+        "The calibration of the reference transducer is one row at %1, and the level of the step lies below %2: what its sensitivity is there is not known, so the step has no uncertainty. Have it calibrated down to %2, or state the transducer as a model.");
+    const double percent = 100.0 * change / lowest.magnitude;
+    std::vector<std::string> arguments{
+        numberWithUnit(lowest.frequency_Hz, "Hz", 4), numberWithUnit(level_Hz, "Hz", 2)};
+    if (std::isfinite(change))
+        arguments.push_back(numberText(percent, 2));
+    return {{.id = "CMP-006",
+        .severity = Severity::Caution,
+        .message = {std::isfinite(change) ? known : unknown, std::move(arguments)},
+        .value = std::isfinite(change) ? std::optional(percent) : std::nullopt}};
 }
 
 } // namespace dyncal

@@ -14,4 +14,11 @@ namespace dyncal {
 /// values in a row at an extreme. All are cautions.
 Findings judgeReferenceRecords(const ReferenceRecords &records, const CheckSettings &checks = {});
 
+/// Whether a table begins above the frequencies of a record's level: above 1 over its length.
+bool beginsAboveTheLevel(const ReferenceSensitivity &sensitivity, const WindowedResponse &response);
+
+/// CMP-006 (caution): the step is taken from the records, the transducer's calibration begins above
+/// the level's frequencies, and what its sensitivity may change below matters beside its u.
+Findings judgeLevelOfReference(const ReferenceRecords &records);
+
 } // namespace dyncal

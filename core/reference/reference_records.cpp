@@ -92,8 +92,8 @@ Result<ReferenceRecords> referenceRecords(const CaptureSet &set,
     if (!certified)
         return tl::unexpected(certified.error());
     ReferenceRecords records{std::move(certified->sensitivity), {}, {}, {},
-        std::move(certified->certificate), {}, settings.delay_s, settings.u_delay_s,
-        settings.correlationWithStep};
+        certified->certificate.empty() ? settings.certificate : std::move(certified->certificate),
+        settings.due, settings.delay_s, settings.u_delay_s, settings.correlationWithStep};
     if (settings.loaded && !settings.model)
         records.sourceSha256 = settings.loaded->sha256;
     for (const WindowedResponse &dut : duts) {

@@ -196,6 +196,19 @@ ReferencePoint ReferenceSensitivity::lowest() const
     return m_model ? ofModel(*m_model, 0.0) : m_rows.front();
 }
 
+double ReferenceSensitivity::changeBelow() const
+{
+    if (m_model)
+        return 0.0;
+    const ReferencePoint &first = m_rows.front();
+    const auto octave
+        = [&](const ReferencePoint &row) { return row.frequency_Hz >= 2.0 * first.frequency_Hz; };
+    const auto found = std::ranges::find_if(m_rows, octave);
+    const ReferencePoint &second = found == m_rows.end() ? m_rows.back() : *found;
+    const double ratio = second.frequency_Hz / first.frequency_Hz;
+    return std::abs(second.magnitude - first.magnitude) / (ratio * ratio - 1.0); // 0/0 of one row
+}
+
 std::optional<ReferenceSensitivity::Gap> ReferenceSensitivity::widestGap(
     double from_Hz, double to_Hz) const
 {

@@ -54,6 +54,11 @@ public:
     /// What the level of a step is divided by: the model's level, or the lowest row of a table.
     ReferencePoint lowest() const;
 
+    /// By how much |S| may be another at 0 than in the lowest row of a table, as its rows show it:
+    /// |S| is even in the frequency, so |S_2 - S_1| f_1^2/(f_2^2 - f_1^2), f_2 the first row at or
+    /// above 2 f_1, else the last. 0 of a model, not a number of a single row.
+    double changeBelow() const;
+
     /// The widest distance between two rows of a table of which a part lies from `from_Hz` to
     /// `to_Hz`; empty of a model or without one.
     struct Gap

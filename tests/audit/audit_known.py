@@ -69,6 +69,14 @@ class KnownTable:
     def lowest(self):
         return self.at(self.frequency_Hz[0])
 
+    def change_below(self, level_Hz):
+        """Of |S| from the lowest row to 0, as an even function; 0 where the table reaches down to the level."""
+        f, S = self.frequency_Hz, self.columns["magnitude"]
+        if f[0] <= level_Hz:
+            return 0.0
+        second = min(np.searchsorted(f, 2.0 * f[0]), len(f) - 1)
+        return abs(S[second] - S[0]) / ((f[second] / f[0])**2 - 1.0)
+
 
 class KnownModel:
     """S0/(1 - r^2 + 2 j zeta r), r = f/f0, its u by the derivatives of its logarithm."""
@@ -88,6 +96,9 @@ class KnownModel:
 
     def lowest(self):
         return self.at(0.0)
+
+    def change_below(self, _level_Hz):
+        return 0.0
 
 
 def file_of(source, folders):

@@ -22,6 +22,7 @@ class ReferenceRecord(Record):
         self.baseline = self.quiet.mean()
         self.settled = self.volts[self.first + settle_from(window):self.first + settle_to(window)]
         self.step = self.settled.mean() - self.baseline
+        self.level_Hz = self.rate_Hz / window
 
     def u_step_relative(self):
         """Of white noise."""
@@ -56,6 +57,7 @@ class TransducerInputs:
         self.lowest = S_ref.lowest()
         self.step_Pa = abs(record.step) / self.lowest.magnitude
         self.u_record = record.u_step_relative()
+        self.u_lowest = np.hypot(self.lowest.u_relative(), S_ref.change_below(record.level_Hz) / self.lowest.magnitude)
         self.u_gain = U_GAIN
 
     def sensitivity(self):
@@ -63,7 +65,7 @@ class TransducerInputs:
 
     def step_lines(self):
         """As of ShotInputs: what makes the step larger makes the sensitivity smaller."""
-        return {("reference_sensitivity_relative", False): (self.lowest.u_relative(), self.lowest.dof),
+        return {("reference_sensitivity_relative", False): (self.u_lowest, self.lowest.dof),
                 ("reference_gain_relative", False): (self.u_gain, np.inf),
                 ("reference_level_relative", True): (-self.u_record, np.inf)}
 

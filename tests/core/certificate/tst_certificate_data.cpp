@@ -232,7 +232,8 @@ void TestCertificateData::shock_withoutStep_isNotDetermined()
     const CertificateData data = certificateOf(results);
     QCOMPARE(cell(*table(data, "conditions"), 1, 6), QString("not determined"));
     QCOMPARE(cell(*table(data, "conditions"), 0, 7), QString("computed"));
-    QCOMPARE(data.section("conditions")->notes.size(), std::size_t(1));
+    // The initial pressures of the others, and what is missing.
+    QCOMPARE(data.section("conditions")->notes.size(), std::size_t(2));
 }
 
 void TestCertificateData::findings_cautions_areListedWithReason()
@@ -326,12 +327,16 @@ void TestCertificateData::frequency_withoutMeasuredValues_hasDashes()
         {&response.magnitude, &response.u_magnitude, &response.phase_rad, &response.u_phase_rad})
         values->resize(0);
     response.unit = "1";
+    response.highEnd = dyncal::BandEnd::Reference;
     const CertificateData data = certificateOf(results);
     const CertificateTable *frequency = table(data, "frequency-response");
+    QVERIFY(
+        english(data.section("frequency-response")->notes.front())
+            .ends_with("the upper limit where the calibration of the reference transducer ends."));
     for (const std::size_t column : {1U, 2U, 3U, 4U})
         QCOMPARE(cell(*frequency, 0, column), QString::fromUtf8("–"));
     QVERIFY(!cell(*frequency, 0, 5).contains("V/Pa"));
-    QCOMPARE(data.section("frequency-response")->notes.size(), std::size_t(3));
+    QCOMPARE(data.section("frequency-response")->notes.size(), std::size_t(4));
 }
 
 void TestCertificateData::frequency_ofFewDegreesOfFreedom_hasItsOwnK()

@@ -210,6 +210,31 @@ private slots:
         QCOMPARE(job.ids(), "");
     }
 
+    /// All pressure comes through the reference transducer: without its certificate nothing is
+    /// traceable, whatever the budget names.
+    void referenceTransducer_needsACertificate()
+    {
+        Job job;
+        ReportedValue sensitivity{"sensitivity", 1e-5, "V/Pa"};
+        sensitivity.u = 1e-7;
+        sensitivity.lines.push_back({.quantity = "reference_sensitivity_relative", .u = 0.003});
+        job.report().sensitivity = sensitivity;
+        const auto with = [](const std::string &certificate) {
+            auto reference = std::make_shared<ReferenceStageResult>();
+            const auto made = ReferenceSensitivity::fromModel({2e-8, 6e-11, 4e5, 1e3, 0.2, 0.01});
+            reference->records = ReferenceRecords{made.value()};
+            reference->records->certificate = certificate;
+            return reference;
+        };
+        for (const char *none : {"", " "}) {
+            job.outcome.results.reference = with(none);
+            QCOMPARE(job.ids(), "CER-009");
+            QVERIFY2(holds(job.said(), "comparison.certificate"), job.said().c_str());
+        }
+        job.outcome.results.reference = with("R-1");
+        QCOMPARE(job.ids(), "");
+    }
+
     void allOfThem_areNamedAtOnce()
     {
         Job job;

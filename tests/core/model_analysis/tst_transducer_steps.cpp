@@ -67,6 +67,32 @@ private slots:
         }
     }
 
+    /// A table that begins at 60 kHz, a seventh of the transducer's resonance: the step is off by
+    /// what the sensitivity has changed from 0 to there, and u knows it.
+    void calibrationThatBeginsAboveTheLevel_isInTheU()
+    {
+        ReferenceRecords records = *m_reference;
+        const auto model
+            = ReferenceSensitivity::fromModel({2e-8, 6e-11, 450e3, 1e3, 0.2, 0.002}).value();
+        const auto stepsFrom = [&](std::vector<double> frequencies_Hz) {
+            std::vector<ReferencePoint> rows;
+            for (const double f_Hz : frequencies_Hz)
+                rows.push_back(model.at(f_Hz).value());
+            records.sensitivity = ReferenceSensitivity::fromTable(rows).value();
+            return stepsByTransducer(records, {}, {});
+        };
+        const ShockConditionsSet whole = stepsFrom({100.0, 60e3, 120e3});
+        const ShockConditionsSet above = stepsFrom({60e3, 120e3});
+        const double off = std::abs(*above.shots[0].step_Pa / *whole.shots[0].step_Pa - 1.0);
+        const double u_whole = budgetOf(whole, 0).lines[0].input.u;
+        const double u_above = budgetOf(above, 0).lines[0].input.u;
+        QVERIFY(off > 3.0 * u_whole);
+        QVERIFY2(off < u_above && u_above < 2.0 * off,
+            qPrintable(QString("off by %1, u %2").arg(off).arg(u_above)));
+        QVERIFY(!stepsFrom({60e3}).shots[0].uncertainty);
+        QVERIFY(stepsFrom({100.0}).shots[0].uncertainty);
+    }
+
     void statedChain_wins()
     {
         const ShockConditionsSet steps = stepsByTransducer(

@@ -39,6 +39,8 @@ private slots:
         row("source", [](S &s) { s.source = "ref.csv"; });
         row("sha256", [](S &s) { s.sha256 = "ab"; });
         row("quantity_id", [](S &s) { s.quantityId = "a"; });
+        row("certificate", [](S &s) { s.certificate = "R-1"; });
+        row("due", [](S &s) { s.due = "2027-01-31"; });
         row("model", [](S &s) { s.model = ReferenceModel(); });
         row("unit", [](S &s) { s.unit = "A/Pa"; });
         row("delay_s", [](S &s) { s.delay_s = 1e-9; });

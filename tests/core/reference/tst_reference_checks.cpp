@@ -112,6 +112,36 @@ private slots:
             = whole.step * 0.5 * (1.0 + whole.window().maxCoeff()); // half of what overshoots
         verifyOnly(judged([&](double value, double) { return std::min(value, top); }), "CMP-004");
     }
+
+    /// The level of a step is known where the calibration begins below it; the same transducer's
+    /// table from higher and higher frequencies on.
+    void calibrationThatBeginsAboveTheLevel_isTold()
+    {
+        const WindowedResponse response = sound();
+        const double level_Hz = response.sampleRate_Hz / static_cast<double>(response.length);
+        const auto judgedFrom = [&](double lowest_Hz, Index rows) {
+            const auto model
+                = ReferenceSensitivity::fromModel({2e-8, 6e-11, 450e3, 1e3, 0.2, 0.002}).value();
+            std::vector<ReferencePoint> table;
+            for (Index i = 0; i < rows; ++i)
+                table.push_back(
+                    model.at(lowest_Hz * std::pow(2.0, static_cast<double>(i))).value());
+            return judgeLevelOfReference(
+                {ReferenceSensitivity::fromTable(table).value(), {response}});
+        };
+        QVERIFY(judgedFrom(0.5 * level_Hz, 4).empty());
+        QVERIFY(judgedFrom(0.5 * level_Hz, 1).empty());
+        QVERIFY(judgedFrom(2.0 * level_Hz, 4).empty()); // it changes by too little to matter
+        for (const double lowest_Hz : {50e3, 100e3}) {
+            const Findings findings = judgedFrom(lowest_Hz, 2);
+            QCOMPARE(findings.size(), std::size_t(1));
+            QCOMPARE(findings[0].id, std::string("CMP-006"));
+            QCOMPARE(findings[0].severity, Severity::Caution);
+        }
+        const Findings ofOneRow = judgedFrom(2.0 * level_Hz, 1);
+        QCOMPARE(ofOneRow.size(), std::size_t(1));
+        QVERIFY(english(ofOneRow[0].message).find("not known") != std::string::npos);
+    }
 };
 
 DYNCAL_TEST(TestReferenceChecks)

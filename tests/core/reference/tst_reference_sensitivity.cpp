@@ -119,6 +119,25 @@ private slots:
         QCOMPARE(table.highest_Hz(), 10000.0);
     }
 
+    /// Of 1 + a f^2 the change down to 0 is a f_1^2, whichever rows show it.
+    void changeBelow_isThatOfAnEvenFunction()
+    {
+        const auto rowsOf = [](const std::vector<double> &frequencies_Hz) {
+            std::vector<ReferencePoint> rows;
+            for (const double f_Hz : frequencies_Hz)
+                rows.push_back({f_Hz, 2e-8 * (1.0 + 1e-10 * f_Hz * f_Hz), 1e-10});
+            return ReferenceSensitivity::fromTable(rows).value();
+        };
+        for (const auto &list :
+            {std::vector<double>{1e4, 1.5e4, 2e4, 5e4}, {1e4, 3e4}, {1e4, 1.2e4}})
+            QVERIFY(isNear(rowsOf(list).changeBelow(), 2e-8 * 1e-10 * 1e8, 1e-9));
+        QVERIFY(std::isnan(rowsOf({1e4}).changeBelow()));
+        QCOMPARE(ReferenceSensitivity::fromModel({2e-8, 1e-10, 4e5, 4e3, 0.3, 0.01})
+                     .value()
+                     .changeBelow(),
+            0.0);
+    }
+
     void table_mayHaveNoPhase()
     {
         const auto table

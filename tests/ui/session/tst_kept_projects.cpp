@@ -111,10 +111,12 @@ QString differences(const QStringList &then, const QStringList &now)
     return lines.join('\n');
 }
 
-/// Of a table that no kept certificate has.
+/// Of a field or table that no kept certificate has.
 bool isNew(const QString &line)
 {
-    return line.contains("by Monte Carlo reaches beyond the one that U gives");
+    return line.contains("by Monte Carlo reaches beyond the one that U gives")
+        || line.contains("What the uncertainty of the sensitivity is made of")
+        || line.contains("Gas before the item") || line.contains("not divided out");
 }
 
 } // namespace

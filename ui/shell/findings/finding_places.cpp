@@ -70,6 +70,7 @@ constexpr std::pair<std::string_view, FindingPlace> kPlaces[]{
     {"CMP-003", {Comparison, "comparisonVerdict"}},
     {"CMP-004", {Comparison, "comparisonVerdict"}},
     {"CMP-005", {Comparison, "comparisonVerdict"}},
+    {"CMP-006", {Comparison, "comparisonVerdict"}},
     {"WIN-001", {Window, "windowEnd"}},
     {"WIN-002", {Window, "baseline"}},
     {"WIN-003", {Window, "settle"}},

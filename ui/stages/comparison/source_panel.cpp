@@ -16,6 +16,7 @@
 
 #include <QComboBox>
 #include <QFileInfo>
+#include <QLineEdit>
 #include <QPushButton>
 #include <QSignalBlocker>
 
@@ -93,7 +94,8 @@ SourceSection referenceSection()
         [](const Recipe &r) { return r.comparison.quantityId; },
         [](const Recipe &r) { return contentOf(r.comparison); }, readReference, takeReference,
         [](Recipe &r, const std::string &id) { r.comparison.quantityId = id; },
-        [](const Recipe &r) { return r.comparison.unit; }};
+        [](const Recipe &r) { return r.comparison.unit; },
+        [](Recipe &r) -> std::string & { return r.comparison.certificate; }};
 }
 
 SourceSection chainSection()
@@ -103,7 +105,8 @@ SourceSection chainSection()
         [](const Recipe &r) { return contentOf(r.chain); }, readChain,
         [](Recipe &r, const std::string &path) { takeSource(r.chain, path); },
         [](Recipe &r, const std::string &id) { r.chain.quantityId = id; },
-        [](const Recipe &) { return std::string("1"); }};
+        [](const Recipe &) { return std::string("1"); },
+        [](Recipe &r) -> std::string & { return r.chain.certificate; }};
 }
 
 SourcePanel::SourcePanel(Session &session, Prompts &prompts, InspectorForm &form,
@@ -118,6 +121,7 @@ SourcePanel::SourcePanel(Session &session, Prompts &prompts, InspectorForm &form
     connect(m_browse, &QPushButton::clicked, this, &SourcePanel::browse);
     connect(m_remove, &QPushButton::clicked, this, [this] { take({}); });
     connect(m_list, &QComboBox::activated, this, &SourcePanel::chooseList);
+    connect(m_number, &QLineEdit::editingFinished, this, &SourcePanel::setNumber);
 }
 
 void SourcePanel::build(InspectorForm &form)
@@ -132,6 +136,8 @@ void SourcePanel::build(InspectorForm &form)
     m_browse = button(tr("Choose a file..."), "Browse");
     m_remove = button(tr("Use no file"), "Remove");
     m_list = form.addChoice(tr("List in the certificate"), m_section.name + "List", {});
+    m_number = form.add(tr("Certificate number"), m_section.name + "Certificate", new QLineEdit);
+    m_number->setPlaceholderText(tr("as the file states it"));
     m_stated = form.addNote(m_section.name + "Stated");
 }
 
@@ -182,8 +188,21 @@ void SourcePanel::chooseList()
         [&](Recipe &r) { m_section.choose(r, id); });
 }
 
+void SourcePanel::setNumber()
+{
+    if (!m_number->isModified())
+        return;
+    m_number->setModified(false);
+    const std::string number = m_number->text().trimmed().toStdString();
+    changeRecipe(m_session, tr("Change the number of the certificate"),
+        [&](Recipe &r) { m_section.certificate(r) = number; });
+}
+
 void SourcePanel::showRecipe(const Recipe &recipe)
 {
+    Recipe copy = recipe;
+    if (!m_number->isModified())
+        m_number->setText(rawText(m_section.certificate(copy)));
     const std::string path = m_section.path(recipe);
     const std::string content = m_section.content(recipe);
     m_file->setText(path.empty() ? tr("none") : shownText(QFileInfo(rawText(path)).fileName()));

@@ -12,6 +12,7 @@
 #include <string>
 
 class QComboBox;
+class QLineEdit;
 class QPushButton;
 
 namespace dyncal {
@@ -30,10 +31,12 @@ struct SourceSection
     std::function<void(Recipe &, const std::string &path)> take; ///< and reads it; "" = none
     std::function<void(Recipe &, const std::string &id)> choose;
     std::function<std::string(const Recipe &)> unit; ///< of the magnitudes
+    std::function<std::string &(Recipe &)> certificate; ///< its number, where the file states none
 };
 
-/// The controls of such a file: chosen, left out, which list of a certificate is meant, and what it
-/// states. A file that states nothing is refused below the button, and nothing changes.
+/// The controls of such a file: chosen, left out, which list of a certificate is meant, the number
+/// of its certificate, and what it states. A file that states nothing is refused below the button,
+/// and nothing changes.
 class SourcePanel : public QObject
 {
     Q_OBJECT
@@ -47,6 +50,7 @@ private:
     void browse();
     void take(const QString &path);
     void chooseList();
+    void setNumber();
     void showRecipe(const Recipe &recipe);
     void showLists(const Recipe &recipe);
     QString faultOf(const Recipe &recipe) const;
@@ -59,6 +63,7 @@ private:
     QPushButton *m_browse;
     QPushButton *m_remove;
     QComboBox *m_list;
+    QLineEdit *m_number;
     QLabel *m_stated;
     std::string m_shown; ///< of which file, list and unit m_stated speaks
 };

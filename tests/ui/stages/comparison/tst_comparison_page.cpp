@@ -164,6 +164,7 @@ private slots:
     void certificateOfTwoLists_isAskedWhich();
     void againstTransducer_onlyWithComparison();
     void placeAndUnit_areOneStepEach();
+    void numbersOfTheCertificates_areTyped();
     void wrongTyping_changesNothing();
     void chain_isChosen_orRefused();
     void failedRun_isSaidHere();
@@ -351,6 +352,17 @@ void TestComparisonPage::placeAndUnit_areOneStepEach()
     QCOMPARE(steps(), 5);
     m_bench->session.undoStack().undo();
     QCOMPARE(channel->currentIndex(), 0);
+}
+
+void TestComparisonPage::numbersOfTheCertificates_areTyped()
+{
+    m_bench->type("referenceCertificate", " R-17 ");
+    QCOMPARE(settings().certificate, std::string("R-17"));
+    m_bench->type("chainCertificate", "C-3");
+    QCOMPARE(m_bench->session.recipe().chain.certificate, std::string("C-3"));
+    m_bench->session.undoStack().undo();
+    QCOMPARE(m_bench->control<QLineEdit>("chainCertificate")->text(), QString());
+    QCOMPARE(m_bench->control<QLineEdit>("referenceCertificate")->text(), QString("R-17"));
 }
 
 void TestComparisonPage::wrongTyping_changesNothing()
