@@ -10639,11 +10639,11 @@ steget</translation>
     </message>
     <message>
         <source>0.4 of the lowest sample rate</source>
-        <translation>0,4 av den lägsta samplingstakten</translation>
+        <translation>0,4 av den lägsta samplingsfrekvensen</translation>
     </message>
     <message>
         <source>half the sample rate of the model</source>
-        <translation>halva modellens samplingstakt</translation>
+        <translation>halva modellens samplingsfrekvens</translation>
     </message>
     <message>
         <source>where the calibration of the reference transducer ends</source>
@@ -15296,10 +15296,6 @@ steget</translation>
     <message>
         <source>Certificate number</source>
         <translation>Bevisets nummer</translation>
-    </message>
-    <message>
-        <source>as the file states it</source>
-        <translation>som filen anger det</translation>
     </message>
     <message>
         <source>Change the number of the certificate</source>

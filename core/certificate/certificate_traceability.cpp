@@ -178,7 +178,9 @@ void addTransducer(const CalibrationResults &results, const Recipe &recipe, Trac
     const BudgetEntry entry{.quantity = "reference_sensitivity_relative",
         .certificate = records->certificate,
         .due = records->due};
-    fields.push_back(referenceField(entry, isOver(entry.due, dayPerformed(recipe))));
+    CertificateField field = referenceField(entry, isOver(entry.due, dayPerformed(recipe)));
+    field.id = "reference_certificate";
+    fields.push_back(std::move(field));
 }
 
 } // namespace

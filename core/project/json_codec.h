@@ -222,7 +222,17 @@ struct Field
     std::function<Json(const S &)> write;
     std::vector<RecipeKey> keys = {}; ///< below this one
     bool required = false;
+    bool isLater = false; ///< see later()
 };
+
+/// A key that came after jobs had been issued: left out while it is null, so that what earlier
+/// programs wrote, and the hash of an issued job with it, stays the same byte for byte.
+template <typename S>
+Field<S> later(Field<S> field)
+{
+    field.isLater = true;
+    return field;
+}
 
 /// A key whose value is one member.
 template <typename S, typename T>
@@ -283,7 +293,8 @@ Codec<S> object(std::vector<Field<S>> fields)
     const auto write = [shared](const S &value) {
         Json json = Json::object();
         for (const Field<S> &f : *shared)
-            json[f.key] = f.write(value);
+            if (Json content = f.write(value); !f.isLater || !content.is_null())
+                json[f.key] = std::move(content);
         return json;
     };
     return {"an object", read, write, keys};

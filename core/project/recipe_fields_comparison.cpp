@@ -46,10 +46,10 @@ Codec<ComparisonSettings> comparisonCodec()
             hashOrNull()),
         field("quantity_id", DYNCAL_TEXT("RecipeLabel", "list in the reference's certificate"),
             &S::quantityId, textOrNull()),
-        field("certificate", DYNCAL_TEXT("RecipeLabel", "certificate of the reference"),
-            &S::certificate, textOrNull()),
-        field(
-            "due", DYNCAL_TEXT("RecipeLabel", "due date of the reference"), &S::due, dateOrNull()),
+        later(field("certificate", DYNCAL_TEXT("RecipeLabel", "certificate of the reference"),
+            &S::certificate, textOrNull())),
+        later(field(
+            "due", DYNCAL_TEXT("RecipeLabel", "due date of the reference"), &S::due, dateOrNull())),
         field("model", DYNCAL_TEXT("RecipeLabel", "model of the reference"), &S::model,
             orNull(modelCodec())),
         field("unit", DYNCAL_TEXT("RecipeLabel", "unit of the reference's sensitivity"), &S::unit,
@@ -74,8 +74,8 @@ Codec<ChainSettings> chainCodec()
             hashOrNull()),
         field("quantity_id", DYNCAL_TEXT("RecipeLabel", "list in the chain's certificate"),
             &S::quantityId, textOrNull()),
-        field("certificate", DYNCAL_TEXT("RecipeLabel", "certificate of the chain"),
-            &S::certificate, textOrNull()),
+        later(field("certificate", DYNCAL_TEXT("RecipeLabel", "certificate of the chain"),
+            &S::certificate, textOrNull())),
     });
 }
 

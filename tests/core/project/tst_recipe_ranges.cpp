@@ -90,11 +90,13 @@ std::string refusal(const Json &document)
                                                    : "(wrong kind)";
 }
 
-/// The value that the recipe writes where `value` was read.
+/// The value that the recipe writes where `value` was read; a later key is left out while null.
 Json readBack(const Place &place, const Json &value)
 {
     const Result<Recipe> recipe = parseRecipe(documentWith(place, value).dump());
-    return Json::parse(recipeJson(*recipe)).at(Json::json_pointer(place.pointer));
+    const Json written = Json::parse(recipeJson(*recipe));
+    const Json::json_pointer pointer(place.pointer);
+    return written.contains(pointer) ? written.at(pointer) : Json();
 }
 
 /// The documented range of a number.

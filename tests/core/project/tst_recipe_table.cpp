@@ -106,7 +106,9 @@ private slots:
             const QByteArray wrapped = "[" + row.defaultText.toUtf8() + "]";
             const QJsonArray documented = QJsonDocument::fromJson(wrapped).array();
             QVERIFY2(documented.size() == 1, qPrintable(row.key));
-            QVERIFY2(documented.first() == valueAt(defaults, row.key), qPrintable(row.key));
+            const QJsonValue written = valueAt(defaults, row.key);
+            QVERIFY2(documented.first() == (written.isUndefined() ? QJsonValue() : written),
+                qPrintable(row.key)); // a later key is left out while null
             ++compared;
         }
         QVERIFY(compared > 60);

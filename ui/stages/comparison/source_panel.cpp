@@ -137,7 +137,6 @@ void SourcePanel::build(InspectorForm &form)
     m_remove = button(tr("Use no file"), "Remove");
     m_list = form.addChoice(tr("List in the certificate"), m_section.name + "List", {});
     m_number = form.add(tr("Certificate number"), m_section.name + "Certificate", new QLineEdit);
-    m_number->setPlaceholderText(tr("as the file states it"));
     m_stated = form.addNote(m_section.name + "Stated");
 }
 
