@@ -69,7 +69,7 @@ Result<std::optional<ChainResponse>> chainResponse(const ChainSettings &settings
     if (const Result<void> usable = checkChain(certified->sensitivity, settings); !usable)
         return tl::unexpected(usable.error());
     return std::optional(ChainResponse{std::move(certified->sensitivity), settings.loaded->sha256,
-        certified->certificate.empty() ? settings.certificate : std::move(certified->certificate)});
+        certified->certificate.empty() ? settings.certificate : certified->certificate});
 }
 
 } // namespace dyncal

@@ -92,7 +92,7 @@ Result<ReferenceRecords> referenceRecords(const CaptureSet &set,
     if (!certified)
         return tl::unexpected(certified.error());
     ReferenceRecords records{std::move(certified->sensitivity), {}, {}, {},
-        certified->certificate.empty() ? settings.certificate : std::move(certified->certificate),
+        certified->certificate.empty() ? settings.certificate : certified->certificate,
         settings.due, settings.delay_s, settings.u_delay_s, settings.correlationWithStep};
     if (settings.loaded && !settings.model)
         records.sourceSha256 = settings.loaded->sha256;
