@@ -41,6 +41,7 @@ CASES = {
     "chain": {"chain": CHAIN, "comparison": BY_MODEL, "certificate": decision("guard-band", 6, 4.95e5)},
     "chain_transducer": {"chain": CHAIN, "comparison": BY_TABLE, "response": BY_TRANSDUCER,
                          "certificate": decision("simple", 5, 9e6)},
+    "high_table": {"comparison": {**BY_TABLE, "source": "high.csv"}, "response": BY_TRANSDUCER},
     "cmc": {"comparison": BY_TABLE, "uncertainty": {"cmc": CMC}, "certificate": decision("guard-band", 9, 6e5)},
     "decay": {"input": {"treatment": "impulse"}, "shock": {"enabled": False},
               "uncertainty": {"cmc": [{"of": "damping_ratio", "expanded": 0.05}]}},
@@ -61,6 +62,9 @@ def write_tables(folder):
     reference = MODEL["sensitivity"] / (1.0 - r**2 + 2j * MODEL["zeta"] * r)
     write_table(folder / "reference.csv", f_Hz, reference, np.linspace(0.003, 0.006, 60), 0.002 + 1e-9 * f_Hz,
                 50.0 + np.arange(60))
+    high = f_Hz > 1e5  # begins above the level of the step
+    write_table(folder / "high.csv", f_Hz[high], reference[high], np.full(high.sum(), 0.003), 0.002 + 1e-9 * f_Hz[high],
+                np.full(high.sum(), 50.0))
     f_Hz = np.geomspace(100.0, 2e6, 40)
     amplifier = (1.0 + 0.02 * (f_Hz / 2e6)**2) / (1.0 + 1j * f_Hz / 2.5e7)
     amplifier /= abs(amplifier[0])

@@ -135,6 +135,9 @@ private slots:
                                << QStringList{"chain", "onset_s", "comparison.e_n"} << 10;
         QTest::newRow("chain_transducer")
             << "both.h5" << QStringList{"its reason names 'measured'"} << QStringList() << 0;
+        QTest::newRow("high_table")
+            << "both.h5" << QStringList{"sensitivity: reference_sensitivity_relative"}
+            << QStringList() << 0;
         QTest::newRow("cmc") << "both.h5" << QStringList{verdict, "U below the CMC"}
                              << QStringList{"cmc", "u_model", "k_"} << 20;
         QTest::newRow("decay") << "decay.h5" << QStringList{"lines of q", "U below the CMC"}
