@@ -163,8 +163,8 @@ void addSteps(const CalibrationResults &results, const Recipe &recipe, Certifica
             {DYNCAL_TEXT("core",
                  "U of the step is its expanded uncertainty with the coverage factor k of the same line, for a coverage probability of about %1 %. It follows from the uncertainties of the shock velocity, the initial pressure and temperature and the gas, and holds for an ideal shock tube. It is contained in the uncertainties of the sensitivity and of the magnitudes of the frequency response."),
                 {numberText(100.0 * recipe.uncertainty.coverage, 4)}});
-    if (std::ranges::any_of(steps ? steps->shots : std::vector<ShockConditions>(),
-            [](const ShockConditions &shot) { return shot.states.has_value(); }))
+    const auto hasStates = [](const ShockConditions &shot) { return shot.states.has_value(); };
+    if (steps && std::ranges::any_of(steps->shots, hasStates))
         section.notes.push_back(
             {DYNCAL_TEXT("core",
                  "The initial pressure is absolute: the item was under it before the step."),
@@ -191,10 +191,6 @@ Message stepNotWanted()
             "No pressure step is determined, as the laboratory chose not to evaluate the shock wave. No sensitivity in the unit of pressure can be stated."),
         {}};
 }
-
-} // namespace
-
-namespace {
 
 /// The gas that the pressure step rests on, of the first shot that has one.
 void addMedium(const CalibrationResults &results, const Recipe &recipe, CertificateSection &section)
