@@ -139,12 +139,13 @@ CertificateSection keyResultsSection(
     CertificateSection section;
     section.id = "key-results";
     section.title = {DYNCAL_TEXT("core", "Key results"), {}};
-    addQuantityTables(keyQuantities(results, recipe, layout), section);
+    const Quantities quantities = keyQuantities(results, recipe, layout);
+    addQuantityTables(quantities, section);
     section.notes.push_back(
         {DYNCAL_TEXT("core",
              "U = k u is the expanded uncertainty, u the complete standard uncertainty, for a coverage probability of about 95 % (GUM, JCGM 100). What it is made of stands in the section \"Results in detail\"."),
             {}});
-    if (monteCarloTable(results, keyQuantities(results, recipe, layout)))
+    if (monteCarloTable(results, quantities))
         section.notes.push_back(
             {DYNCAL_TEXT("core",
                  "Of those quantities whose interval by Monte Carlo stands in the section \"Results in detail\", that interval is the one to use: it reaches beyond U to one side."),

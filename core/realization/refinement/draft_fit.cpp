@@ -7,6 +7,7 @@
 #include "core/realization/input/left_out.h"
 #include "core/realization/refinement/aperiodic_start.h"
 #include "core/realization/refinement/coloured_covariance.h"
+#include "core/realization/refinement/fit_residual.h"
 #include "core/realization/refinement/pole_refinement.h"
 #include "core/realization/refinement/refinement_problem.h"
 
@@ -40,16 +41,14 @@ bool canRefine(const ModelInput &input, const std::vector<std::complex<double>> 
            });
 }
 
-/// All but the sample that the start was found by. It is the first beyond a threshold, so its noise
-/// points the way of the step, in every shot; the noise of those behind it does not depend on that.
-std::vector<SampleRange> usedBehindTheStart(const ModelSeries &series)
+/// Leaves out the sample that the start was found by. It is the first beyond a threshold, so its
+/// noise points the way of the step, in every shot; that of those behind it does not depend on
+/// that.
+void leaveOutTheStart(RefinementRecord &record)
 {
-    std::vector<SampleRange> used = usedSamples(series);
-    if (used.empty())
-        used = {{0, series.fullRate.size()}};
-    if (SampleRange &first = used.front(); first.begin == 0 && first.size() > 1)
+    record.used = usedRanges(record);
+    if (SampleRange &first = record.used.front(); first.begin == 0 && first.size() > 1)
         first.begin = 1;
-    return used;
 }
 
 } // namespace
@@ -100,7 +99,8 @@ std::vector<RefinementRecord> refinementRecords(const ModelInput &input)
         const double range = series.fullRate.maxCoeff() - series.fullRate.minCoeff();
         const double noise = std::max(series.fullRateNoiseSd, kNoiseFree * range);
         records.push_back({series.fullRate, series.fullRate_Hz, 1.0 / noise, series.nuisance,
-            usedBehindTheStart(series)});
+            usedSamples(series)});
+        leaveOutTheStart(records.back());
     }
     return records;
 }
